@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "wavecurve/certified/ball.hpp"
+#include "wavecurve/certified/rational.hpp"
+#include "wavecurve/filters/filter_bank.hpp"
+
+namespace wavecurve::certified {
+
+/// The autocorrelations alpha_n, n = 0 .. L-1 (see filters/autocorrelation.hpp), of both low-pass
+/// filters, where they are rational numbers.
+struct ExactAutocorrelations {
+  Filter<Rational> synthesis, analysis;
+};
+
+/// A filter bank that can be had at any precision.
+struct FilterDefinition {
+  /// The canonical name, such as "db4".
+  std::string name;
+  /// The bank with enclosures of at least this many bits of relative accuracy a tap, if the
+  /// definition allows it (a user's own decimals do not).
+  std::function<FilterBank<Ball>(long bits)> bank;
+  /// Exact autocorrelations; empty for families whose autocorrelation is irrational.
+  std::optional<ExactAutocorrelations> exact;
+};
+
+}  // namespace wavecurve::certified

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace wavecurve::tools {
+
+/// The exit codes of the command line.
+enum ExitCode {
+  done = 0,                ///< done, and as expected
+  differs = 1,             ///< done, and something differs from what is blessed or demanded
+  bad_input = 2,           ///< bad usage or bad input
+  environment_failed = 3,  ///< disk full, missing program
+};
+
+// One function a subcommand, each in a file of its name. A command's callback writes its exit code
+// if that is not `done`; it throws std::invalid_argument or std::domain_error for bad input and
+// std::system_error where the environment fails.
+void add_filter_command(CLI::App& app, ExitCode& exit_code);
+void add_coefficients_command(CLI::App& app, ExitCode& exit_code);
+void add_check_command(CLI::App& app, ExitCode& exit_code);
+void add_stiffness_command(CLI::App& app, ExitCode& exit_code);
+void add_verify_command(CLI::App& app, ExitCode& exit_code);
+
+}  // namespace wavecurve::tools
