@@ -112,6 +112,12 @@ Ball log(const Ball& x) {
   return result;
 }
 
+Ball exp(const Ball& x) {
+  Ball result;
+  arb_exp(result.get(), x.get(), WorkingPrecision::bits());
+  return result;
+}
+
 Ball pow(const Ball& x, unsigned long n) {
   Ball result;
   arb_pow_ui(result.get(), x.get(), n, WorkingPrecision::bits());

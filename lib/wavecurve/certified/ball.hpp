@@ -53,14 +53,20 @@ class Ball {
   friend Ball operator-(Ball a) { return arb_neg(a.value_, a.value_), a; }
 
   /// The same enclosure, not the same number.
-  friend bool operator==(const Ball& a, const Ball& b) { return arb_equal(a.value_, b.value_) != 0; }
+  friend bool operator==(const Ball& a, const Ball& b) {
+    return arb_equal(a.value_, b.value_) != 0;
+  }
   /// True if proved; false may also mean undecided.
-  friend bool certainly_less(const Ball& a, const Ball& b) { return arb_lt(a.value_, b.value_) != 0; }
+  friend bool certainly_less(const Ball& a, const Ball& b) {
+    return arb_lt(a.value_, b.value_) != 0;
+  }
 
   bool is_exact() const { return arb_is_exact(value_) != 0; }
   bool is_finite() const { return arb_is_finite(value_) != 0; }
   bool contains_zero() const { return arb_contains_zero(value_) != 0; }
-  bool contains(const Rational& number) const { return arb_contains_fmpq(value_, number.get()) != 0; }
+  bool contains(const Rational& number) const {
+    return arb_contains_fmpq(value_, number.get()) != 0;
+  }
   bool contains(const Ball& other) const { return arb_contains(value_, other.value_) != 0; }
   bool overlaps(const Ball& other) const { return arb_overlaps(value_, other.value_) != 0; }
   bool is_positive() const { return arb_is_positive(value_) != 0; }
@@ -88,6 +94,7 @@ Ball abs(const Ball& x);
 Ball cos(const Ball& x);
 Ball sin(const Ball& x);
 Ball log(const Ball& x);
+Ball exp(const Ball& x);
 Ball pow(const Ball& x, unsigned long n);
 /// The smallest ball that holds both.
 Ball hull(const Ball& a, const Ball& b);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string_view>
-
 #include "wavecurve/filters/filter_bank.hpp"
+#include "wavecurve/operators/two_scale_system.hpp"
 
 namespace wavecurve {
 
@@ -16,14 +15,6 @@ template <class Scalar = double>
 struct ConnectionCoefficients {
   int p = 1, q = 1;
   Filter<Scalar> mu, nu;
-};
-
-/// How the null vector of the two-scale relation is found; see connection_coefficients.cpp.
-enum class NullVectorMethod {
-  singular_vector,  ///< right singular vector of the smallest singular value (Eigen, Jacobi)
-  eigenvector,      ///< eigenvector of the eigenvalue nearest zero (Eigen, dense)
-  shift_invert,     ///< the same by Spectra's shift-invert iteration, for long filters
-  constrained,      ///< one equation replaced by the moment condition (LU); the default
 };
 
 /// In double precision; certified::connection_coefficients gives enclosures.

@@ -1,0 +1,48 @@
+#include "wavecurve/certified/families/family.hpp"
+#include "wavecurve/certified/families/halfband_roots.hpp"
+
+namespace wavecurve::certified {
+
+namespace {
+
+constexpr int highest_order = 38;
+
+/// The minimum-phase spectral factor: every root of q(x) outside the unit circle, so that the
+/// energy of the taps comes first (Daubechies 1988; Ten Lectures, section 6.4).
+FilterBank<Ball> minimum_phase_bank(const std::string& name, int order) {
+  Polynomial<Ball> low = averaging_polynomial<Ball>(order);
+  for (const auto& factor : halfband_factors(order)) low = low * factor;
+  const Ball root_two = sqrt(Ball(2));
+  for (Ball& tap : low) tap *= root_two;
+  const Filter<Ball> filter{0, low};
+  auto bank = make_filter_bank(name, filter, filter);
+  bank.vanishing_moments = bank.dual_vanishing_moments = order;
+  return bank;
+}
+
+std::optional<FilterDefinition> define(std::string_view name) {
+  const auto order = number_after("db", name);
+  if (!order) return std::nullopt;
+  require_order(name, *order, 1, highest_order);
+  FilterDefinition definition;
+  definition.name = name;
+  definition.bank = [name = definition.name, N = *order](long bits) {
+    return with_accuracy(bits, [&] { return minimum_phase_bank(name, N); });
+  };
+  definition.exact = halfband_autocorrelations(*order);
+  return definition;
+}
+
+}  // namespace
+
+Family daubechies_family() {
+  Family family{"db1-db38 (aliases haar, D2-D76)", {}, {{"haar", "db1"}}, define};
+  for (int order = 1; order <= highest_order; ++order) {
+    const std::string name = "db" + std::to_string(order);
+    family.members.push_back(name);
+    family.aliases.emplace_back("D" + std::to_string(2 * order), name);
+  }
+  return family;
+}
+
+}  // namespace wavecurve::certified

@@ -1,0 +1,60 @@
+#include "wavecurve/certified/linear_solve.hpp"
+
+namespace wavecurve::certified {
+
+namespace {
+
+class BallMatrix {
+ public:
+  BallMatrix(long rows, long columns) { arb_mat_init(value, rows, columns); }
+  BallMatrix(const BallMatrix&) = delete;
+  BallMatrix& operator=(const BallMatrix&) = delete;
+  ~BallMatrix() { arb_mat_clear(value); }
+  arb_mat_t value;
+};
+
+class RationalMatrix {
+ public:
+  RationalMatrix(long rows, long columns) { fmpq_mat_init(value, rows, columns); }
+  RationalMatrix(const RationalMatrix&) = delete;
+  RationalMatrix& operator=(const RationalMatrix&) = delete;
+  ~RationalMatrix() { fmpq_mat_clear(value); }
+  fmpq_mat_t value;
+};
+
+}  // namespace
+
+std::optional<std::vector<Ball>> solve(const SquareMatrix<Ball>& a, const std::vector<Ball>& b) {
+  const int n = a.size();
+  BallMatrix matrix(n, n), right(n, 1), solution(n, 1);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) arb_set(arb_mat_entry(matrix.value, i, j), a(i, j).get());
+    arb_set(arb_mat_entry(right.value, i, 0), b[static_cast<std::size_t>(i)].get());
+  }
+  if (!arb_mat_solve(solution.value, matrix.value, right.value, WorkingPrecision::bits())) {
+    return std::nullopt;
+  }
+  std::vector<Ball> x(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    arb_set(x[static_cast<std::size_t>(i)].get(), arb_mat_entry(solution.value, i, 0));
+  }
+  return x;
+}
+
+std::optional<std::vector<Rational>> solve(const SquareMatrix<Rational>& a,
+                                           const std::vector<Rational>& b) {
+  const int n = a.size();
+  RationalMatrix matrix(n, n), right(n, 1), solution(n, 1);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) fmpq_set(fmpq_mat_entry(matrix.value, i, j), a(i, j).get());
+    fmpq_set(fmpq_mat_entry(right.value, i, 0), b[static_cast<std::size_t>(i)].get());
+  }
+  if (!fmpq_mat_solve(solution.value, matrix.value, right.value)) return std::nullopt;
+  std::vector<Rational> x(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    fmpq_set(x[static_cast<std::size_t>(i)].get(), fmpq_mat_entry(solution.value, i, 0));
+  }
+  return x;
+}
+
+}  // namespace wavecurve::certified

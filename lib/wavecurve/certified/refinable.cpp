@@ -1,0 +1,104 @@
+#include "wavecurve/certified/refinable.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "wavecurve/certified/linear_solve.hpp"
+
+namespace wavecurve::certified {
+
+namespace {
+
+template <class Scalar>
+Scalar integer_power(long base, int exponent) {
+  Scalar result(1);
+  for (int i = 0; i < exponent; ++i) result *= Scalar(base);
+  return result;
+}
+
+/// (-1)^d d!, the right-hand side of (S).
+template <class Scalar>
+Scalar moment(int d) {
+  Scalar result(1);
+  for (int i = 1; i <= d; ++i) result *= Scalar(-i);
+  return result;
+}
+
+template <class Scalar>
+std::vector<Scalar> solve_for_moment(const SquareMatrix<Scalar>& system, int d) {
+  std::vector<Scalar> right(static_cast<std::size_t>(system.size()), Scalar(0));
+  right.back() = moment<Scalar>(d);
+  auto solution = solve(system, right);
+  if (!solution) {
+    throw std::domain_error("the two-scale system for the derivative of order " +
+                            std::to_string(d) + " could not be proved to have rank deficiency one");
+  }
+  return *solution;
+}
+
+}  // namespace
+
+template <class Scalar>
+Filter<Scalar> derivative_at_integers(const Filter<Scalar>& mask, int d) {
+  const int first = mask.first_index + 1, last = mask.last_index() - 1;  // zero at the end points
+  const int n = last - first + 1;
+  if (n < 1) {
+    throw std::domain_error("a refinable function with " + std::to_string(mask.size()) +
+                            " mask coefficients has no inner integer and is not continuous");
+  }
+  const Scalar scale = integer_power<Scalar>(2, d);
+  SquareMatrix<Scalar> system(n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      system(i, j) = scale * mask[2 * (first + i) - (first + j)] - Scalar(i == j ? 1 : 0);
+    }
+  }
+  for (int j = 0; j < n; ++j) system(n - 1, j) = integer_power<Scalar>(first + j, d);
+  return {first, solve_for_moment(system, d)};
+}
+
+template <class Scalar>
+Filter<Scalar> symmetric_derivative_at_integers(const Filter<Scalar>& half_mask, int d) {
+  const int last = half_mask.last_index() - 1;
+  const bool odd = d % 2 != 0;
+  const int first = odd ? 1 : 0;  // an odd derivative of a symmetric function vanishes at 0
+  const int n = last - first + 1;
+  Filter<Scalar> values{-last,
+                        std::vector<Scalar>(static_cast<std::size_t>(2 * last + 1), Scalar(0))};
+  if (n < 1) {
+    throw std::domain_error("the support is too short for a derivative of order " +
+                            std::to_string(d));
+  }
+  const Scalar scale = integer_power<Scalar>(2, d);
+  const auto mask = [&](int k) { return half_mask[k < 0 ? -k : k]; };
+  SquareMatrix<Scalar> system(n);
+  for (int i = 0; i < n; ++i) {
+    const int l = first + i;
+    for (int j = 0; j < n; ++j) {
+      const int m = first + j;  // the unknown f(m), which is also f(-m) up to the sign
+      Scalar coefficient = mask(2 * l - m);
+      if (m != 0) odd ? coefficient -= mask(2 * l + m) : coefficient += mask(2 * l + m);
+      system(i, j) = scale * coefficient - Scalar(i == j ? 1 : 0);
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    const int m = first + j;
+    system(n - 1, j) = integer_power<Scalar>(m, d) * Scalar(m == 0 ? 1 : 2);
+  }
+  const std::vector<Scalar> solution = solve_for_moment(system, d);
+  for (int j = 0; j < n; ++j) {
+    const int m = first + j;
+    const Scalar& value = solution[static_cast<std::size_t>(j)];
+    values.taps[static_cast<std::size_t>(last - m)] = odd ? -value : value;
+    values.taps[static_cast<std::size_t>(last + m)] = value;
+  }
+  return values;
+}
+
+template Filter<Ball> derivative_at_integers(const Filter<Ball>&, int);
+template Filter<Rational> derivative_at_integers(const Filter<Rational>&, int);
+template Filter<Ball> symmetric_derivative_at_integers(const Filter<Ball>&, int);
+template Filter<Rational> symmetric_derivative_at_integers(const Filter<Rational>&, int);
+
+}  // namespace wavecurve::certified

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "wavecurve/certified/ball.hpp"
+#include "wavecurve/certified/filter_definition.hpp"
+
+namespace wavecurve::certified {
+
+/// The Sobolev exponent s of the scaling function of a low-pass filter (sum sqrt 2) with N zeros at
+/// w = pi: phi lies in H^r for r < s and, where its integer shifts form a Riesz basis, for no r >
+/// s.
+///
+///   low(x) = sqrt 2 ((1 + x)/2)^N q(x),   |q|^2 <-> a_k = sum_i q_i q_{i+k},
+///   s = N - log_4 rho,  rho the spectral radius of the transition operator (T u)_i = 2 sum_j
+///   a_{2i-j} u_j
+/// on sequences over |i| <= deg q - 1 (Eirola 1992; Villemoes 1992). T maps symmetric sequences to
+/// such, and its spectral radius is attained there. It is enclosed from both sides by the trace and
+/// the norm of T^k, k = 2^squarings; the radius of the result halves with each squaring. Throws
+/// std::domain_error if low does not have N zeros at pi within its enclosures, or if the working
+/// precision does not suffice.
+Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings);
+
+/// Of the synthesis scaling function phi, with a radius below 1e-12 (if the definition allows).
+Ball sobolev_exponent(const FilterDefinition& definition);
+
+/// Of the analysis (dual) scaling function; negative where that is no square-integrable function.
+Ball dual_sobolev_exponent(const FilterDefinition& definition);
+
+/// Throws std::domain_error, naming the exponent found and the one needed, unless the exponent is
+/// proved to exceed (p + q) / 2, which the integrals of phi^(p) phi^(q) need.
+void require_smoothness(const FilterDefinition& definition, int p, int q);
+
+}  // namespace wavecurve::certified

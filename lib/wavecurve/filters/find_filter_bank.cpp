@@ -1,0 +1,50 @@
+#include "wavecurve/filters/find_filter_bank.hpp"
+
+#include <stdexcept>
+
+#include "wavecurve/filters/filter_tables.hpp"
+#include "wavecurve/filters/spline_filter.hpp"
+
+namespace wavecurve {
+
+namespace {
+
+template <class Scalar>
+Filter<Scalar> slice(int first_index, std::size_t offset, std::size_t size) {
+  const auto taps = filter_table_taps<Scalar>().subspan(offset, size);
+  return {first_index, {taps.begin(), taps.end()}};
+}
+
+template <class Scalar>
+FilterBank<Scalar> bank_of(const FilterTableRow& row) {
+  auto bank = make_filter_bank(
+      std::string(row.name),
+      slice<Scalar>(row.analysis_first_index, row.analysis_offset, row.analysis_size),
+      slice<Scalar>(row.synthesis_first_index, row.synthesis_offset, row.synthesis_size));
+  bank.vanishing_moments = row.vanishing_moments;
+  bank.dual_vanishing_moments = row.dual_vanishing_moments;
+  bank.sobolev_exponent = row.sobolev_exponent;
+  return bank;
+}
+
+}  // namespace
+
+template <class Scalar>
+FilterBank<Scalar> find_filter_bank(std::string_view name) {
+  std::string_view canonical = name;
+  for (const auto& [alias, target] : filter_aliases()) {
+    if (alias == name) canonical = target;
+  }
+  for (const FilterTableRow& row : filter_table_rows()) {
+    if (row.name == canonical) return bank_of<Scalar>(row);
+  }
+  if (auto bank = spline_filter_bank<Scalar>(canonical)) return *bank;
+  constexpr std::size_t shown = 60;
+  throw std::invalid_argument("unknown filter '" + std::string(name.substr(0, shown)) +
+                              (name.size() > shown ? "...'" : "'"));
+}
+
+template FilterBank<double> find_filter_bank(std::string_view);
+template FilterBank<float> find_filter_bank(std::string_view);
+
+}  // namespace wavecurve

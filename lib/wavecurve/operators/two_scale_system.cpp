@@ -1,0 +1,124 @@
+#include "wavecurve/operators/two_scale_system.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <Spectra/GenEigsRealShiftSolver.h>
+#include <Spectra/MatOp/DenseGenRealShiftSolve.h>
+
+namespace wavecurve {
+
+namespace {
+
+constexpr int highest_order = 16;
+
+int first_unknown(int d) { return d % 2 == 0 ? 0 : 1; }
+
+/// l^d (with 0^0 = 1) for each unknown, counted for l and -l: the left-hand side of the moment
+/// condition. It is also the left null vector of A up to the counting, which is why the last
+/// equation, and not the one of l = 0, may be replaced.
+Eigen::VectorXd moment_row(Eigen::Index unknowns, int d) {
+  Eigen::VectorXd row(unknowns);
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const auto l = static_cast<double>(first_unknown(d) + i);
+    row[i] = std::pow(l, d) * (l == 0 ? 1.0 : 2.0);
+  }
+  return row;
+}
+
+double moment(int d) { return (d % 2 == 0 ? 1.0 : -1.0) * std::tgamma(d + 1.0); }
+
+Eigen::VectorXd singular_vector(const Eigen::MatrixXd& a) {
+  return a.jacobiSvd(Eigen::ComputeFullV).matrixV().rightCols<1>();
+}
+
+Eigen::VectorXd eigenvector(const Eigen::MatrixXd& a) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a);
+  if (solver.info() != Eigen::Success)
+    throw std::domain_error("the eigenvalues of A did not converge");
+  Eigen::Index nearest = 0;
+  solver.eigenvalues().cwiseAbs().minCoeff(&nearest);
+  return solver.eigenvectors().col(nearest).real();
+}
+
+/// A's other eigenvalues are 2^k - 1 or nearer to -1 than -1/2 (for a smooth phi), so that any
+/// small shift singles out the one near zero; at exactly zero the factorisation would fail.
+Eigen::VectorXd shift_invert(const Eigen::MatrixXd& a) {
+  constexpr Eigen::Index smallest_for_iteration = 6;
+  if (a.rows() < smallest_for_iteration) return eigenvector(a);
+  constexpr double shift = 1e-3;
+  Spectra::DenseGenRealShiftSolve<double> operation(a);
+  const Eigen::Index basis = std::min<Eigen::Index>(a.rows(), 20);
+  Spectra::GenEigsRealShiftSolver<Spectra::DenseGenRealShiftSolve<double>> solver(operation, 1,
+                                                                                  basis, shift);
+  solver.init();
+  constexpr int iterations = 1000;
+  constexpr double tolerance = 1e-15;
+  solver.compute(Spectra::SortRule::LargestMagn, iterations, tolerance);
+  if (solver.info() != Spectra::CompInfo::Successful) {
+    throw std::domain_error("the shift-invert iteration for the null vector did not converge");
+  }
+  return solver.eigenvectors().col(0).real();
+}
+
+Eigen::VectorXd constrained(Eigen::MatrixXd a, int d) {
+  a.bottomRows<1>() = moment_row(a.cols(), d).transpose();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(a.rows());
+  right[a.rows() - 1] = moment(d);
+  return a.partialPivLu().solve(right);
+}
+
+Eigen::VectorXd unscaled_null_vector(const Eigen::MatrixXd& a, int d, NullVectorMethod method) {
+  switch (method) {
+    case NullVectorMethod::singular_vector:
+      return singular_vector(a);
+    case NullVectorMethod::eigenvector:
+      return eigenvector(a);
+    case NullVectorMethod::shift_invert:
+      return shift_invert(a);
+    case NullVectorMethod::constrained:
+      return constrained(a, d);
+  }
+  throw std::invalid_argument("unknown method for the null vector");
+}
+
+}  // namespace
+
+Eigen::MatrixXd two_scale_matrix(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d) {
+  if (d < 0 || d > highest_order) {
+    throw std::invalid_argument("derivative order " + std::to_string(d) + ": must lie in 0 .. " +
+                                std::to_string(highest_order));
+  }
+  if (alpha.size() < 2 + first_unknown(d)) {
+    throw std::invalid_argument(
+        "the two-scale system needs more autocorrelation coefficients than " +
+        std::to_string(alpha.size()));
+  }
+  const Eigen::Index support = alpha.size() - 1, first = first_unknown(d), n = support - first;
+  const auto at = [&](Eigen::Index k) {
+    return std::abs(k) < alpha.size() ? alpha[std::abs(k)] : 0.0;
+  };
+  const double scale = std::ldexp(1.0, d - 1), parity = d % 2 == 0 ? 1.0 : -1.0;
+  Eigen::MatrixXd a(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index l = first + i;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Eigen::Index m = first + j;
+      const double mirrored = m == 0 ? 0.0 : parity * at(2 * l + m);
+      a(i, j) = scale * (at(2 * l - m) + mirrored) - (i == j ? 1.0 : 0.0);
+    }
+  }
+  return a;
+}
+
+Eigen::VectorXd two_scale_null_vector(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d,
+                                      NullVectorMethod method) {
+  const Eigen::VectorXd vector = unscaled_null_vector(two_scale_matrix(alpha, d), d, method);
+  return vector * (moment(d) / moment_row(vector.size(), d).dot(vector));
+}
+
+}  // namespace wavecurve
