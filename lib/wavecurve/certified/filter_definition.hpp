@@ -27,4 +27,8 @@ struct FilterDefinition {
   std::optional<ExactAutocorrelations> exact;
 };
 
+/// The same bank with the analysis and the synthesis side exchanged, so that every question about
+/// phi can be asked about the dual scaling function.
+FilterDefinition dual(const FilterDefinition& definition);
+
 }  // namespace wavecurve::certified

@@ -1,7 +1,7 @@
 #pragma once
 
-// The one place that knows where FLINT and Arb keep their headers: FLINT 3 contains Arb, FLINT 2 has
-// it beside itself.
+// The one place that knows where FLINT and Arb keep their headers: FLINT 3 contains Arb, FLINT 2
+// has it beside itself.
 
 // clang-format off
 #include <flint/flint.h>

@@ -22,7 +22,9 @@ std::string integer_text(const fmpz_t n) {
   return result;
 }
 
-std::string integer_text(const Rational& integer) { return integer_text(fmpq_numref(integer.get())); }
+std::string integer_text(const Rational& integer) {
+  return integer_text(fmpq_numref(integer.get()));
+}
 
 /// The nearest integer, ties to even.
 Rational nearest_integer(const Rational& x) {
@@ -60,7 +62,7 @@ std::string with_point(std::string digits, int decimals) {
   if (negative) digits.erase(0, 1);
   const auto places = static_cast<std::size_t>(decimals);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
-  if (decimals > 0) digits.insert(digits.size() - places, ".");
+  if (decimals > 0) digits.insert(digits.size() - places, 1, '.');
   return negative ? "-" + digits : digits;
 }
 
@@ -107,12 +109,14 @@ std::optional<Real> round_to_binary(const Ball& x, long bits) {
 }  // namespace
 
 std::string round_to_decimals(const Rational& x, int decimals) {
-  if (decimals < 0) throw std::invalid_argument("a decimal cannot have a negative number of places");
+  if (decimals < 0)
+    throw std::invalid_argument("a decimal cannot have a negative number of places");
   return with_point(integer_text(nearest_integer(x * power_of_ten(decimals))), decimals);
 }
 
 std::optional<std::string> round_to_decimals(const Ball& x, int decimals) {
-  return if_both_ends_agree(x, [&](const Rational& end) { return round_to_decimals(end, decimals); });
+  return if_both_ends_agree(x,
+                            [&](const Rational& end) { return round_to_decimals(end, decimals); });
 }
 
 std::string round_to_digits(const Rational& x, int digits) {

@@ -74,15 +74,14 @@ Ball spectral_radius(const SquareMatrix<Ball>& t, int squarings) {
   return hull(exp(log(trace / Ball(n)) / k), exp(log(norm) / k));
 }
 
-/// The exponent of one side of the bank, at rising precision until it can be enclosed.
-Ball exponent_of(const FilterDefinition& definition, bool dual, int squarings) {
+/// The exponent of phi, at rising precision until it can be enclosed.
+Ball exponent_of(const FilterDefinition& definition, int squarings) {
   constexpr long first_bits = 128, highest_bits = 2048;
   for (long bits = first_bits;; bits *= 2) {
     const WorkingPrecision precision(bits);
     try {
       const FilterBank<Ball> bank = definition.bank(bits);
-      return dual ? sobolev_exponent(bank.analysis_low, bank.dual_vanishing_moments, squarings)
-                  : sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings);
+      return sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings);
     } catch (const std::domain_error&) {
       if (bits >= highest_bits) throw;
     }
@@ -100,18 +99,14 @@ Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings) {
 }
 
 Ball sobolev_exponent(const FilterDefinition& definition) {
-  return exponent_of(definition, false, accurate_squarings);
-}
-
-Ball dual_sobolev_exponent(const FilterDefinition& definition) {
-  return exponent_of(definition, true, accurate_squarings);
+  return exponent_of(definition, accurate_squarings);
 }
 
 void require_smoothness(const FilterDefinition& definition, int p, int q) {
   const Rational needed(p + q, 2);
   Ball found;
   for (const int squarings : {4, 10, 20, accurate_squarings}) {  // a rough bound mostly decides
-    found = exponent_of(definition, false, squarings);
+    found = exponent_of(definition, squarings);
     if (certainly_less(Ball(needed), found)) return;
     if (certainly_less(found, Ball(needed))) break;
   }

@@ -19,11 +19,9 @@ namespace wavecurve::certified {
 /// precision does not suffice.
 Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings);
 
-/// Of the synthesis scaling function phi, with a radius below 1e-12 (if the definition allows).
+/// Of phi, with a radius below 1e-12 (if the definition allows). For the dual scaling function pass
+/// dual(definition); a negative exponent says that it is no square-integrable function.
 Ball sobolev_exponent(const FilterDefinition& definition);
-
-/// Of the analysis (dual) scaling function; negative where that is no square-integrable function.
-Ball dual_sobolev_exponent(const FilterDefinition& definition);
 
 /// Throws std::domain_error, naming the exponent found and the one needed, unless the exponent is
 /// proved to exceed (p + q) / 2, which the integrals of phi^(p) phi^(q) need.

@@ -8,7 +8,8 @@
 
 namespace wavecurve {
 
-/// The four filters of a two-channel bank with perfect reconstruction, indexed as in the publication.
+/// The four filters of a two-channel bank with perfect reconstruction, indexed as in the
+/// publication.
 ///
 /// The functions that curves are expanded in belong to the synthesis side (2.1):
 ///   phi(t) = sqrt 2 sum_n synthesis_low_n  phi(2t - n),

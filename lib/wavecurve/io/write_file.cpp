@@ -1,11 +1,10 @@
 #include "wavecurve/io/write_file.hpp"
 
 #include <cerrno>
-#include <string>
-#include <system_error>
-
 #include <fcntl.h>
+#include <string>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace wavecurve::io {
@@ -75,7 +74,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   if (special) {
     write_directly(path, bytes);
   } else {
-    const bool is_link = std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored));
+    const bool is_link =
+        std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored));
     write_and_rename(is_link ? std::filesystem::canonical(path) : path, bytes);
   }
 }

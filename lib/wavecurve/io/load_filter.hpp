@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "wavecurve/certified/filter_definition.hpp"
+
+namespace wavecurve::io {
+
+/// The filter of a name (certified/find_filter.hpp) or, if the text ends in ".json", of a user's
+/// file (io/filter_json.hpp). Throws as those do. Part of the link target wavecurve::certified.
+certified::FilterDefinition load_filter(const std::string& name_or_path);
+
+}  // namespace wavecurve::io
