@@ -1,0 +1,235 @@
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/certified/autocorrelation.hpp"
+#include "wavecurve/certified/connection_coefficients.hpp"
+#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/io/load_filter.hpp"
+
+#include "commands.hpp"
+#include "number_format.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+using certified::Ball;
+using certified::DecimalEnclosure;
+using certified::FilterDefinition;
+using nlohmann::ordered_json;
+
+struct Options {
+  std::string name;
+  std::string derivatives = "1,1";
+  int digits = 40;
+  std::string normalization = "none";
+  std::string format = "text";
+};
+
+struct Orders {
+  int p, q;
+};
+
+/// Values for the indices 0, 1, 2, ... of one of the three sequences.
+struct Column {
+  const char* name;
+  std::vector<DecimalEnclosure> values;
+};
+
+Orders parse_orders(const std::string& text) {
+  Orders orders{};
+  const auto comma = text.find(',');
+  const auto number = [&](std::string_view part, int& value) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && end == part.data() + part.size();
+  };
+  if (comma == std::string::npos || !number(std::string_view(text).substr(0, comma), orders.p) ||
+      !number(std::string_view(text).substr(comma + 1), orders.q)) {
+    throw std::invalid_argument("--derivatives takes two whole numbers p,q such as 1,1, not '" +
+                                text + "'");
+  }
+  return orders;
+}
+
+/// Indices from 0 on, divided by the 0-th if that is asked for. An antisymmetric sequence has a
+/// zero there and cannot be divided by it.
+template <class Scalar>
+std::vector<Scalar> half(const Filter<Scalar>& symmetric, bool divide_by_first, int p, int q) {
+  if (divide_by_first && (p + q) % 2 != 0) {
+    throw std::invalid_argument(
+        "--normalize first: the coefficient of index 0 is zero for the odd sum " +
+        std::to_string(p + q) + " of derivative orders");
+  }
+  std::vector<Scalar> values;
+  for (int l = 0; l <= symmetric.last_index(); ++l) {
+    values.push_back(divide_by_first ? symmetric[l] / symmetric[0] : symmetric[l]);
+  }
+  return values;
+}
+
+template <class Scalar>
+std::vector<std::vector<Scalar>> sequences(const Filter<Scalar>& alpha,
+                                           const ConnectionCoefficients<Scalar>& coefficients,
+                                           bool divide_by_first) {
+  const int p = coefficients.p, q = coefficients.q;
+  return {alpha.taps, half(coefficients.mu, divide_by_first, p, q),
+          half(coefficients.nu, divide_by_first, p, q)};
+}
+
+std::vector<std::vector<Ball>> enclosures(const FilterDefinition& definition,
+                                          const Options& options, Orders orders, long bits) {
+  const auto coefficients = connection_coefficients(definition, orders.p, orders.q, bits);
+  return sequences(certified::autocorrelation(definition, bits), coefficients,
+                   options.normalization == "first");
+}
+
+std::optional<std::vector<std::vector<DecimalEnclosure>>> decided(
+    const std::vector<std::vector<Ball>>& sequences, int digits) {
+  std::vector<std::vector<DecimalEnclosure>> decimals;
+  for (const auto& sequence : sequences) {
+    decimals.emplace_back();
+    for (const Ball& value : sequence) {
+      auto decimal = decimal_enclosure(value, digits);
+      if (!decimal) return std::nullopt;
+      decimals.back().push_back(std::move(*decimal));
+    }
+  }
+  return decimals;
+}
+
+/// Exact fractions where there are any, else enclosures at rising precision until all are decided.
+std::vector<std::vector<DecimalEnclosure>> compute(const FilterDefinition& definition,
+                                                   const Options& options, Orders orders) {
+  if (const auto exact = exact_connection_coefficients(definition, orders.p, orders.q)) {
+    std::vector<std::vector<DecimalEnclosure>> decimals;
+    for (const auto& sequence :
+         sequences(definition.exact->synthesis, *exact, options.normalization == "first")) {
+      decimals.emplace_back();
+      for (const auto& value : sequence) {
+        decimals.back().push_back(decimal_enclosure(value, options.digits));
+      }
+    }
+    return decimals;
+  }
+  constexpr int attempts = 4;
+  long bits = bits_for(options.digits);
+  for (int attempt = 0; attempt < attempts; ++attempt, bits *= 2) {
+    const certified::WorkingPrecision precision(bits);
+    if (auto all = decided(enclosures(definition, options, orders, bits), options.digits))
+      return *all;
+  }
+  const certified::WorkingPrecision precision(bits);
+  std::vector<std::vector<DecimalEnclosure>> decimals;
+  for (const auto& sequence : enclosures(definition, options, orders, bits)) {
+    decimals.emplace_back();
+    for (const Ball& value : sequence) {
+      decimals.back().push_back(supported_decimal(value, options.digits));
+    }
+  }
+  return decimals;
+}
+
+std::string as_json(const FilterDefinition& definition, const Options& options, Orders orders,
+                    const std::vector<Column>& columns) {
+  ordered_json document{{"filter", definition.name},
+                        {"derivatives", {orders.p, orders.q}},
+                        {"normalization", options.normalization}};
+  for (const auto& [name, values] : columns) {
+    ordered_json rows = ordered_json::array();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      rows.push_back({{"index", i},
+                      {"value", values[i].value},
+                      {"radius", values[i].radius},
+                      {"exact", values[i].exact ? ordered_json(*values[i].exact) : nullptr}});
+    }
+    document[name] = rows;
+  }
+  return document.dump(2) + "\n";
+}
+
+std::string as_csv(const FilterDefinition& definition, const std::vector<Column>& columns) {
+  std::string text = "filter,quantity,index,value,radius,exact\n";
+  for (const auto& [name, values] : columns) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      text += fmt::format("{},{},{},{},{},{}\n", definition.name, name, i, values[i].value,
+                          values[i].radius, values[i].exact.value_or(""));
+    }
+  }
+  return text;
+}
+
+std::string as_cpp(const FilterDefinition& definition, const Options& options,
+                   const std::vector<Column>& columns) {
+  std::string text = header_opening(
+      fmt::format("Connection coefficients of {}, derivatives {}, normalization {}, indices from 0",
+                  definition.name, options.derivatives, options.normalization),
+      definition.name);
+  for (const auto& [name, values] : columns) {
+    std::vector<std::string> decimals;
+    for (const auto& value : values) decimals.push_back(value.value);
+    text += header_array(name, decimals);
+  }
+  return text + header_closing(definition.name);
+}
+
+std::string as_text(const FilterDefinition& definition, const Options& options, Orders orders,
+                    const std::vector<Column>& columns) {
+  std::string text = fmt::format(
+      "connection coefficients of {}, derivatives {},{}, normalization {}\n"
+      "{} in the index; beyond the last index zero\n",
+      definition.name, orders.p, orders.q, options.normalization,
+      (orders.p + orders.q) % 2 == 0 ? "symmetric" : "mu and nu antisymmetric");
+  constexpr std::size_t longest_fraction = 40;
+  for (const auto& [name, values] : columns) {
+    text += fmt::format("\n{}\n", name);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto& [value, radius, exact] = values[i];
+      text +=
+          fmt::format("{:>6}  {}{}  +- {}", i, value.starts_with('-') ? "" : " ", value, radius);
+      if (exact && exact->size() <= longest_fraction) text += "  = " + *exact;
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+void run(const Options& options) {
+  const Orders orders = parse_orders(options.derivatives);
+  const FilterDefinition definition = io::load_filter(options.name);
+  const auto values = compute(definition, options, orders);
+  const std::vector<Column> columns{{"alpha", values[0]}, {"mu", values[1]}, {"nu", values[2]}};
+  std::string text;
+  if (options.format == "json") text = as_json(definition, options, orders, columns);
+  if (options.format == "csv") text = as_csv(definition, columns);
+  if (options.format == "cpp") text = as_cpp(definition, options, columns);
+  if (options.format == "text") text = as_text(definition, options, orders, columns);
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace
+
+void add_coefficients_command(CLI::App& app, ExitCode&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("coefficients", "Print certified connection coefficients alpha, mu, nu");
+  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
+      ->required();
+  command->add_option("--derivatives", options->derivatives, "Orders p,q of the two derivatives")
+      ->capture_default_str();
+  add_digits_option(*command, options->digits);
+  command->add_option("--normalize", options->normalization, "Divide mu and nu by their index 0")
+      ->check(CLI::IsMember({"none", "first"}))
+      ->capture_default_str();
+  add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace wavecurve::tools

@@ -1,0 +1,185 @@
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/diagnostics.hpp"
+#include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/certified/sobolev_exponent.hpp"
+#include "wavecurve/io/load_filter.hpp"
+
+#include "commands.hpp"
+#include "number_format.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+using certified::Ball;
+using certified::FilterDefinition;
+using nlohmann::ordered_json;
+
+struct Options {
+  std::string name;
+  int digits = 40;
+  std::string format = "text";
+};
+
+/// The four filters by the names that files and headers use.
+struct NamedFilter {
+  const char* name;
+  Filter<std::string> decimals;
+};
+
+std::string tap_decimal(const Ball& tap, int digits) {
+  return certified::supported_decimal(tap, digits).value;
+}
+
+/// Correctly rounded decimals of all four filters. Raises the precision until every tap is decided;
+/// the decimals of a user's own filter may not support as many digits as are asked for.
+std::vector<NamedFilter> rounded_filters(const FilterDefinition& definition, int digits) {
+  constexpr int attempts = 4;
+  long bits = bits_for(digits);
+  for (int attempt = 1; attempt < attempts; ++attempt, bits *= 2) {
+    const certified::WorkingPrecision precision(bits);
+    const auto bank = definition.bank(bits);
+    bool decided = true;
+    for (const auto* low : {&bank.analysis_low, &bank.synthesis_low}) {
+      for (const Ball& tap : low->taps) decided &= decimal_enclosure(tap, digits).has_value();
+    }
+    if (decided) break;
+  }
+  const certified::WorkingPrecision precision(bits);
+  const auto bank = definition.bank(bits);
+  const auto round = [digits](const char* name, const Filter<Ball>& filter) {
+    NamedFilter result{name, {filter.first_index, {}}};
+    for (const Ball& tap : filter.taps) result.decimals.taps.push_back(tap_decimal(tap, digits));
+    return result;
+  };
+  return {round("analysis_low", bank.analysis_low), round("analysis_high", bank.analysis_high),
+          round("synthesis_low", bank.synthesis_low), round("synthesis_high", bank.synthesis_high)};
+}
+
+std::string short_decimal(const Ball& x) {
+  constexpr int shown = 10;
+  return certified::supported_decimal(x, shown).value;
+}
+
+std::string symmetry_text(const Filter<Ball>& filter) {
+  switch (certified::symmetry(filter)) {
+    case certified::Symmetry::symmetric:
+      return "symmetric";
+    case certified::Symmetry::antisymmetric:
+      return "antisymmetric";
+    case certified::Symmetry::none:
+      return "none";
+  }
+  return {};
+}
+
+ordered_json riesz_json(const FilterDefinition& definition) {
+  const auto bounds = certified::riesz_bounds(definition);
+  if (!bounds) return nullptr;
+  return {short_decimal(bounds->lower), short_decimal(bounds->upper)};
+}
+
+ordered_json diagnostics(const FilterDefinition& definition) {
+  constexpr long bits = 128;
+  const certified::WorkingPrecision precision(bits);
+  const auto bank = definition.bank(bits);
+  const FilterDefinition dual = certified::dual(definition);
+  const auto psi = certified::wavelet_support(bank);
+  return {{"orthonormal", bank.is_orthonormal()},
+          {"vanishing_moments", bank.vanishing_moments},
+          {"dual_vanishing_moments", bank.dual_vanishing_moments},
+          {"support", {bank.synthesis_low.first_index, bank.synthesis_low.last_index()}},
+          {"dual_support", {bank.analysis_low.first_index, bank.analysis_low.last_index()}},
+          {"wavelet_support", {psi.first, psi.second}},
+          {"sobolev_exponent", short_decimal(sobolev_exponent(definition))},
+          {"dual_sobolev_exponent", short_decimal(sobolev_exponent(dual))},
+          {"riesz_bounds", riesz_json(definition)},
+          {"dual_riesz_bounds", riesz_json(dual)},
+          {"symmetry", symmetry_text(bank.synthesis_low)},
+          {"dual_symmetry", symmetry_text(bank.analysis_low)}};
+}
+
+std::string as_json(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+  ordered_json document{{"filter", definition.name}};
+  for (const auto& [name, filter] : filters) {
+    document[name] = {{"first_index", filter.first_index}, {"taps", filter.taps}};
+  }
+  document["diagnostics"] = diagnostics(definition);
+  return document.dump(2) + "\n";
+}
+
+std::string as_csv(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+  std::string text = "filter,part,index,tap\n";
+  for (const auto& [name, filter] : filters) {
+    for (int n = filter.first_index; n <= filter.last_index(); ++n) {
+      text += fmt::format("{},{},{},{}\n", definition.name, name, n, filter[n]);
+    }
+  }
+  return text;
+}
+
+std::string as_cpp(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+  std::string text = header_opening("filter " + definition.name, definition.name);
+  for (const auto& [name, filter] : filters) {
+    text += fmt::format("inline constexpr int {}_first_index = {};\n", name, filter.first_index);
+    text += header_array(name, filter.taps);
+  }
+  return text + header_closing(definition.name);
+}
+
+std::string as_text(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+  std::string text = "filter " + definition.name + "\n";
+  const ordered_json facts = diagnostics(definition);
+  for (const auto& [key, value] : facts.items()) {
+    std::string label = key;
+    for (char& c : label) c = c == '_' ? ' ' : c;
+    std::string shown = value.dump();
+    std::erase(shown, '"');
+    text += fmt::format("  {:<24}{}\n", label, value.is_null() ? "none" : shown);
+  }
+  const bool orthonormal = facts["orthonormal"];
+  for (const auto& [name, filter] : filters) {
+    if (orthonormal && std::string_view(name).starts_with("synthesis")) continue;
+    text += fmt::format("\n{}{}\n", name, orthonormal ? " (synthesis is the same)" : "");
+    for (int n = filter.first_index; n <= filter.last_index(); ++n) {
+      const std::string& tap = filter.taps[static_cast<std::size_t>(n - filter.first_index)];
+      text += fmt::format("{:>6}  {}{}\n", n, tap.starts_with('-') ? "" : " ", tap);
+    }
+  }
+  return text;
+}
+
+void run(const Options& options) {
+  const FilterDefinition definition = io::load_filter(options.name);
+  const auto filters = rounded_filters(definition, options.digits);
+  std::string text;
+  if (options.format == "json") text = as_json(definition, filters);
+  if (options.format == "csv") text = as_csv(definition, filters);
+  if (options.format == "cpp") text = as_cpp(definition, filters);
+  if (options.format == "text") text = as_text(definition, filters);
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace
+
+void add_filter_command(CLI::App& app, ExitCode&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("filter", "Print a filter bank, correctly rounded");
+  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
+      ->required();
+  add_digits_option(*command, options->digits);
+  add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace wavecurve::tools

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace wavecurve::tools {
+
+// What the commands that print certified numbers share.
+
+/// `--digits N`: significant digits, 1 .. 1000.
+void add_digits_option(CLI::App& command, int& digits);
+
+/// `--format F`, one of the given.
+void add_format_option(CLI::App& command, std::string& format, std::vector<std::string> accepted);
+
+/// Working precision that mostly decides the rounding to this many significant digits.
+long bits_for(int digits);
+
+/// A C++ header's first lines, an array of doubles, its last lines. The namespace is made from the
+/// filter's name: wavecurve_tables::bspline4_4.
+std::string header_opening(const std::string& title, const std::string& filter_name);
+std::string header_array(const std::string& name, const std::vector<std::string>& decimals);
+std::string header_closing(const std::string& filter_name);
+
+}  // namespace wavecurve::tools
