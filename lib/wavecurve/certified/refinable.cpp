@@ -25,12 +25,26 @@ Scalar moment(int d) {
   return result;
 }
 
+bool may_be_zero(const Ball& x) { return x.contains_zero(); }
+bool may_be_zero(const Rational& x) { return x.is_zero(); }
+
+/// The null vector of (R) with the scale of (S): the last equation is replaced, and checked
+/// afterwards.
 template <class Scalar>
-std::vector<Scalar> solve_for_moment(const SquareMatrix<Scalar>& system, int d) {
-  std::vector<Scalar> right(static_cast<std::size_t>(system.size()), Scalar(0));
+std::vector<Scalar> solve_for_moment(SquareMatrix<Scalar> system,
+                                     const std::vector<Scalar>& weights, int d) {
+  const int last = system.size() - 1;
+  std::vector<Scalar> replaced, right(weights.size(), Scalar(0));
+  for (int j = 0; j <= last; ++j) {
+    replaced.push_back(system(last, j));
+    system(last, j) = weights[static_cast<std::size_t>(j)];
+  }
   right.back() = moment<Scalar>(d);
-  auto solution = solve(system, right);
-  if (!solution) {
+  const auto solution = solve(system, right);
+  Scalar residual(0);
+  for (std::size_t j = 0; solution && j < replaced.size(); ++j)
+    residual += replaced[j] * (*solution)[j];
+  if (!solution || !may_be_zero(residual)) {
     throw std::domain_error("the two-scale system for the derivative of order " +
                             std::to_string(d) + " could not be proved to have rank deficiency one");
   }
@@ -54,8 +68,9 @@ Filter<Scalar> derivative_at_integers(const Filter<Scalar>& mask, int d) {
       system(i, j) = scale * mask[2 * (first + i) - (first + j)] - Scalar(i == j ? 1 : 0);
     }
   }
-  for (int j = 0; j < n; ++j) system(n - 1, j) = integer_power<Scalar>(first + j, d);
-  return {first, solve_for_moment(system, d)};
+  std::vector<Scalar> weights;
+  for (int j = 0; j < n; ++j) weights.push_back(integer_power<Scalar>(first + j, d));
+  return {first, solve_for_moment(system, weights, d)};
 }
 
 template <class Scalar>
@@ -82,11 +97,11 @@ Filter<Scalar> symmetric_derivative_at_integers(const Filter<Scalar>& half_mask,
       system(i, j) = scale * coefficient - Scalar(i == j ? 1 : 0);
     }
   }
-  for (int j = 0; j < n; ++j) {
-    const int m = first + j;
-    system(n - 1, j) = integer_power<Scalar>(m, d) * Scalar(m == 0 ? 1 : 2);
+  std::vector<Scalar> weights;
+  for (int m = first; m <= last; ++m) {
+    weights.push_back(integer_power<Scalar>(m, d) * Scalar(m == 0 ? 1 : 2));
   }
-  const std::vector<Scalar> solution = solve_for_moment(system, d);
+  const std::vector<Scalar> solution = solve_for_moment(system, weights, d);
   for (int j = 0; j < n; ++j) {
     const int m = first + j;
     const Scalar& value = solution[static_cast<std::size_t>(j)];

@@ -21,11 +21,13 @@ namespace wavecurve::certified {
 // a polynomial p(l) of degree d, add up to nothing. For a symmetric f p(l) = l^d, so that the
 // equation l = 0 carries no weight when d > 0 and must not be the one that (S) replaces: the others
 // would still be dependent. The last equation carries weight. A regular system after the
-// replacement proves that the rank of (R) was deficient by exactly one.
+// replacement proves that the other equations are independent; a null vector exists where f^(d)
+// does, and the solution must obey the replaced equation too, which is checked (exactly for
+// Rational, within the enclosures for Ball). Together: the rank of (R) is deficient by exactly one.
 
 /// f^(d) at every integer of the support, by the system (R) with its last equation replaced by (S).
-/// Scalar is Ball or Rational. Throws std::domain_error if the system is not provably regular,
-/// which for Ball may be cured by a higher working precision.
+/// Scalar is Ball or Rational. Throws std::domain_error if the rank is not provably deficient by
+/// one, which for Ball may be cured by a higher working precision.
 template <class Scalar>
 Filter<Scalar> derivative_at_integers(const Filter<Scalar>& mask, int d);
 
