@@ -1,0 +1,98 @@
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/write_file.hpp"
+
+#include "program_test.hpp"
+
+namespace wavecurve::tools {
+namespace {
+
+using FilterCommand = ProgramTest;
+using nlohmann::json;
+
+TEST_F(FilterCommand, JsonHoldsEveryTapCorrectlyRounded) {
+  const json document = json::parse(wavecurve("filter D8 --digits 25 --format json").out);
+  EXPECT_EQ(document["filter"], "db4");
+  EXPECT_EQ(document["analysis_low"]["first_index"], 0);
+  const auto low = certified::find_filter("db4").bank(300).analysis_low;
+  for (int n = 0; n < low.size(); ++n) {
+    EXPECT_EQ(document["analysis_low"]["taps"][n], *certified::round_to_digits(low[n], 25));
+  }
+  EXPECT_EQ(document["diagnostics"]["vanishing_moments"], 4);
+  EXPECT_EQ(document["diagnostics"]["riesz_bounds"],
+            json::parse(R"(["1.000000000", "1.000000000"])"));
+}
+
+TEST_F(FilterCommand, ItsJsonIsAFilterFileAgain) {
+  for (const char* name : {"sym5", "cdf9.7", "bspline3.3"}) {
+    io::write_file(folder_ / "own.json",
+                   wavecurve("filter " + std::string(name) + " --format json --digits 30").out);
+    const ProgramRun again = wavecurve("filter own.json --format json --digits 20");
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const json first =
+        json::parse(wavecurve("filter " + std::string(name) + " --format json --digits 20").out);
+    EXPECT_EQ(json::parse(again.out)["synthesis_low"], first["synthesis_low"]) << name;
+    EXPECT_EQ(json::parse(again.out)["analysis_high"], first["analysis_high"]) << name;
+  }
+}
+
+TEST_F(FilterCommand, TheHeaderCompilesToTheLibrarysTaps) {
+  io::write_file(folder_ / "filter.hpp", wavecurve("filter cdf9.7 --format cpp").out);
+  io::write_file(
+      folder_ / "main.cpp",
+      "#include <cstdio>\n#include \"filter.hpp\"\nint main() {\n"
+      "  for (double tap : wavecurve_tables::cdf9_7::synthesis_low) std::printf(\"%a\\n\", tap);\n"
+      "}\n");
+  const ProgramRun built = run("c++ -std=c++17 -o '" + (folder_ / "a.out").string() + "' '" +
+                               (folder_ / "main.cpp").string() + "'");
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  std::string expected;
+  for (const double tap : find_filter_bank("cdf9.7").synthesis_low.taps) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%a\n", tap);
+    expected += line;
+  }
+  EXPECT_EQ(run("'" + (folder_ / "a.out").string() + "'").out, expected);
+}
+
+TEST_F(FilterCommand, CsvHasALineATap) {
+  const std::string csv = wavecurve("filter K1 --format csv --digits 12").out;
+  EXPECT_TRUE(csv.starts_with("filter,part,index,tap\ncoif1,analysis_low,-2,")) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 6);
+}
+
+TEST_F(FilterCommand, TextNamesTheDiagnostics) {
+  const std::string text = wavecurve("filter bspline4.4").out;
+  for (const char* part :
+       {"vanishing moments", "support", "sobolev exponent", "riesz bounds", "symmetry"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(FilterCommand, RefusesBadInput) {
+  expect_refusal("filter nope", "unknown filter 'nope'");
+  expect_refusal("filter db39", "must lie in 1 .. 38");
+  expect_refusal("filter bspline3.4", "must be even");
+  expect_refusal("filter db4 --digits 0", "--digits");
+  expect_refusal("filter db4 --format xml", "--format");
+  expect_refusal("filter missing.json", "missing.json");
+  expect_refusal("filter", "NAME");
+  expect_refusal("", "subcommand");
+  io::write_file(folder_ / "bad.json", R"({"taps": ["0.5", "0.5"]})");
+  expect_refusal("filter bad.json", "violates sum_k synthesis_low_k = sqrt 2 by 5e-1");
+  io::write_file(folder_ / "worse.json", R"({"taps": ["0.70710678118", "0", "0", "0.70710678119", )"
+                                         R"("0", "0.00000000"], "vanishing_moments": 2})");
+  expect_refusal("filter worse.json", "violates");
+}
+
+TEST_F(FilterCommand, AFullDiskIsTheEnvironmentsFault) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  EXPECT_EQ(run("'" WAVECURVE_PROGRAM "' filter db4 2>/dev/null >/dev/full; exit $? #").exit_code,
+            3);
+}
+
+}  // namespace
+}  // namespace wavecurve::tools
