@@ -1,8 +1,7 @@
 #include "check_table.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -20,8 +19,6 @@ namespace wavecurve::verification {
 namespace {
 
 constexpr int least_correct_digits = 3;
-/// A route credited with fewer entries of its own could be an accident of rounding.
-constexpr int least_entries_of_a_route = 2;
 
 /// A row while it is worked on.
 struct Row {
@@ -108,70 +105,6 @@ void judge_alone(Row& row, const ColumnForm& column) {
 
 // --- the route of a column ---
 
-/// Rounding of a double computation, some units of the last binary place.
-bool yields(double computed, const PrintedNumber& print, const PrintForm& column) {
-  double unit = std::pow(10.0, -print.decimals());
-  if (!column.scientific) unit = std::max(unit, std::pow(10.0, -column.digits));
-  constexpr double few = 8;
-  const double slack =
-      few * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(computed));
-  return std::abs(computed - print.to_double()) <= unit / 2 + slack;
-}
-
-double at_index(const RouteValues& route, const Column& column, const PublishedEntry& entry) {
-  const int first = is_taps(column.result.quantity) ? column.filter.first_tap() : 0;
-  const int place = is_taps(column.result.quantity) ? entry.index - first : std::abs(entry.index);
-  return place < route.values.size() ? route.values[place] : 0.0;
-}
-
-struct RouteScore {
-  std::string name;
-  int matched = 0, after_edit = 0;
-  int own = 0;  ///< entries yielded that the true values do not yield
-  std::vector<bool> yields_print;
-};
-
-RouteScore score(const RouteValues& route, const Column& column) {
-  RouteScore result{route.name, 0, 0, 0, {}};
-  for (const Row& row : column.rows) {
-    const double computed = at_index(route, column, row.result.entry);
-    const bool direct = yields(computed, row.result.entry.number, column.form.form);
-    const bool edited =
-        !direct && row.repair && yields(computed, row.repair->repaired, column.form.form);
-    result.yields_print.push_back(direct);
-    result.matched += direct || edited ? 1 : 0;
-    result.after_edit += edited ? 1 : 0;
-    result.own += direct && row.wrong ? 1 : 0;
-  }
-  return result;
-}
-
-/// What the proofs say, in the form of a route: the true values, correctly rounded.
-RouteScore score_of_true_values(const Column& column) {
-  RouteScore result{"the true values, correctly rounded", 0, 0, 0, {}};
-  for (const Row& row : column.rows) {
-    result.yields_print.push_back(!row.wrong);
-    result.matched += !row.wrong || row.repair ? 1 : 0;
-    result.after_edit += row.wrong && row.repair ? 1 : 0;
-  }
-  return result;
-}
-
-RouteScore score_of_truncated_values(const Column& column) {
-  RouteScore result{"the true values, cut off instead of rounded", 0, 0, 0, {}};
-  for (const Row& row : column.rows) {
-    const PrintedNumber& print = row.result.entry.number;
-    const double scale = std::pow(10.0, print.decimals());
-    const double cut = std::trunc(row.value.to_double() * scale) / scale;
-    const bool direct = yields(cut, print, form_of(print));
-    result.yields_print.push_back(direct);
-    result.matched += direct || row.repair ? 1 : 0;
-    result.after_edit += !direct && row.repair ? 1 : 0;
-    result.own += direct && row.wrong ? 1 : 0;
-  }
-  return result;
-}
-
 /// alpha as the table itself prints it, if it prints all that do not vanish by structure.
 Eigen::VectorXd printed_alpha(const std::vector<Column>& columns, const FilterValues& filter) {
   Eigen::VectorXd alpha = Eigen::VectorXd::Zero(filter.number_of_taps());
@@ -213,23 +146,18 @@ RouteInput route_input(const Column& column, const std::vector<Column>& columns)
   return input;
 }
 
-/// The route that yields most entries; the first listed of equals.
-RouteScore best_route(const Column& column, const std::vector<Column>& columns) {
-  RouteScore best = score_of_true_values(column);
-  const bool all_right = std::none_of(column.rows.begin(), column.rows.end(),
-                                      [](const Row& row) { return row.wrong; });
-  if (all_right) return best;
-  const auto consider = [&best](RouteScore candidate) {
-    if (candidate.own >= least_entries_of_a_route && candidate.matched > best.matched) {
-      best = std::move(candidate);
-    }
-  };
-  consider(score_of_truncated_values(column));
-  for (const RouteValues& route :
-       run_routes(column.result.quantity, route_input(column, columns))) {
-    consider(score(route, column));
+ColumnToExplain column_to_explain(const Column& column) {
+  ColumnToExplain result{column.result.quantity, column.form.form, {}};
+  for (const Row& row : column.rows) {
+    const PublishedEntry& entry = row.result.entry;
+    const int place =
+        is_taps(entry.quantity) ? entry.index - column.filter.first_tap() : std::abs(entry.index);
+    EntryToExplain explained{static_cast<std::size_t>(place), entry.number, std::nullopt, row.wrong,
+                             row.value.to_double()};
+    if (row.repair) explained.repaired = row.repair->repaired;
+    result.entries.push_back(std::move(explained));
   }
-  return best;
+  return result;
 }
 
 // --- the verdicts of what is wrong ---
@@ -314,7 +242,7 @@ Column& column_of(std::vector<Column>& columns, FilterValues& filter, const Publ
     return &column.filter == &filter && column.result.quantity == entry.quantity;
   });
   if (known != columns.end()) return *known;
-  columns.push_back({{entry.filter, entry.quantity, 0, false, "", 0, 0, 0}, filter, {}, {}});
+  columns.push_back({{entry.filter, entry.quantity, 0, false, "", 0, 0, 0, {}}, filter, {}, {}});
   return columns.back();
 }
 
@@ -376,8 +304,9 @@ CheckedTable check_table(const PublishedTable& table) {
     for (Row& row : column.rows) judge_alone(row, column.form);
   }
   for (Column& column : columns) {
-    finish(column, best_route(column, columns));
-    result.columns.push_back(column.result);
+    column.result.routes = score_routes(column_to_explain(column), route_input(column, columns));
+    finish(column, best_route(column.result.routes));
+    result.columns.push_back(std::move(column.result));
   }
   return result;
 }

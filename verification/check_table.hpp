@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "column_routes.hpp"
 #include "published_table.hpp"
 #include "verdict.hpp"
 
@@ -33,6 +34,7 @@ struct CheckedColumn {
   int matched = 0;     ///< entries that it yields, those in need of an edit included
   int after_edit = 0;  ///< of these, the misprints: yielded but for the edit
   int of = 0;
+  std::vector<RouteScore> routes;  ///< all that were tried; one, if nothing is wrong
 };
 
 struct CheckedTable {
@@ -60,7 +62,7 @@ struct CheckedTable {
 ///                   credited only if it yields at least two entries that the true values do not,
 ///                   and more entries in all than they do.
 /// misprint          one edit turns the print into the certified rounding (misprint.hpp).
-/// agrees-to-digits  at least three significant digits are right: |print - value| is at most half a
+/// agrees-to-digits  at least three significant digits are right: |print - value| is less than one
 ///                   unit of the third.
 /// discrepant        fewer.
 ///

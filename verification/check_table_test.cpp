@@ -1,5 +1,6 @@
 #include "check_table.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -161,11 +162,29 @@ TEST(CheckTable, FindsATableThatWasCutOffInsteadOfRounded) {
   EXPECT_GE(table.counts().at(Verdict::published_route), 2);
 }
 
-TEST(CheckTable, FindsMuFromRoundedTaps) {
-  // By hand: alpha from h rounded to 6 decimals, the exact null vector would be another; the table
-  // is made by the route and must be told from the truth by its own digits.
-  const CheckedTable clean = check(right_rows("db3", Quantity::mu_normalized, 0, 4, {false, 12}));
-  EXPECT_EQ(clean.columns[0].route, "the true values, correctly rounded");
+TEST(CheckTable, FindsTheRouteThatATableWasMadeBy) {
+  FilterValues values(find_table_filter("db5"));
+  RouteInput input;
+  input.taps.resize(values.number_of_taps());
+  for (int n = 0; n < values.number_of_taps(); ++n) {
+    input.taps[n] = values.value(Quantity::taps, n).to_double();
+  }
+  input.decimals = 9;
+  const std::string wanted =
+      "alpha from h*sqrt2 rounded to 6 decimals; mu by least squares with mu_0 = 1";
+  std::string rows;
+  for (const RouteValues& route : run_routes(Quantity::mu_normalized, input)) {
+    if (route.name != wanted) continue;
+    for (int l = 0; l < route.values.size(); ++l) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.9f", route.values[l]);
+      rows += "db5,mu/mu0," + std::to_string(l) + "," + text + "\n";
+    }
+  }
+  const CheckedTable table = check(rows);
+  EXPECT_EQ(table.columns[0].route, wanted);
+  EXPECT_EQ(table.columns[0].matched, table.columns[0].of);
+  EXPECT_GE(table.counts().at(Verdict::published_route), 2);
 }
 
 TEST(CheckTable, ReadsZerosAsPrinted) {

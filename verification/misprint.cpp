@@ -146,7 +146,9 @@ std::optional<Repair> find_repair(const PrintedNumber& print_as_given,
 std::optional<Repair> likeliest_repair(const PrintedNumber& print,
                                        std::span<const PrintedNumber> candidates) {
   for (const PrintedNumber& right : candidates) {
-    if (differs_by_one_unit_at_most(print, right)) continue;
+    if (differs_by_one_unit_at_most(print, right)) return std::nullopt;
+  }
+  for (const PrintedNumber& right : candidates) {
     auto repair = find_repair(print, right);
     if (repair && repair->agreeing_digits >= least_agreeing_digits) return repair;
   }

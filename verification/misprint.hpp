@@ -42,8 +42,8 @@ std::optional<Repair> find_repair(const PrintedNumber& print, const PrintedNumbe
 
 /// The likeliest of the repairs with enough agreeing digits: the candidates, roundings of the true
 /// value to several numbers of decimals, are tried in the order given (the column's form first),
-/// then the order of Edit decides. Nothing if no candidate is one edit away. A candidate within one
-/// unit of the print's last digit is passed over: that is a rounding difference, no misprint.
+/// then the order of Edit decides. Nothing if no candidate is one edit away, or if one of them is
+/// within one unit of the print's last digit: that is a rounding difference, no misprint.
 std::optional<Repair> likeliest_repair(const PrintedNumber& print,
                                        std::span<const PrintedNumber> candidates);
 

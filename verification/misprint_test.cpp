@@ -76,13 +76,17 @@ TEST(Misprint, SaysWhenOnlyTheLastDigitIsWrong) {
 }
 
 TEST(Misprint, PrefersTheFirstCandidate) {
-  const std::vector<PrintedNumber> candidates{parse_printed_number("0.123456789"),
-                                              parse_printed_number("0.12346678")};
-  EXPECT_EQ(likeliest_repair(parse_printed_number("0.12345678"), candidates), std::nullopt)
-      << "the second needs two edits, the first is one unit away";
   const std::vector<PrintedNumber> both{parse_printed_number("0.124356"),
                                         parse_printed_number("0.12456")};
   EXPECT_EQ(likeliest_repair(parse_printed_number("0.123456"), both)->edit, Edit::swapped_digits);
+  const std::vector<PrintedNumber> turned{both[1], both[0]};
+  EXPECT_EQ(likeliest_repair(parse_printed_number("0.123456"), turned)->edit, Edit::added_digit);
+}
+
+TEST(Misprint, IsRuledOutByAnyCandidateOneUnitAway) {
+  const std::vector<PrintedNumber> candidates{parse_printed_number("0.12346678"),
+                                              parse_printed_number("0.12345679")};
+  EXPECT_EQ(likeliest_repair(parse_printed_number("0.12345678"), candidates), std::nullopt);
 }
 
 // --- properties: any single edit of a right number is found and undone ---

@@ -23,11 +23,13 @@ double distance(const TrueValue& value, const PrintedNumber& print,
   return abs((enclosure - Ball(print.value())) / Ball(unit)).to_double();
 }
 
-PrintedNumber to_scientific(const PrintedNumber& number) {
-  PrintedNumber result{number.negative, std::string(number.significand()), 1, 0};
-  if (number.is_zero()) return {number.negative, "0", 1, 0};
-  result.exponent = static_cast<int>(result.digits.size()) - 1 - number.decimals();
-  return result;
+/// With exactly so many digits; zeros in the place of further ones are left out.
+PrintedNumber to_scientific(const PrintedNumber& number, int digits) {
+  const auto size = static_cast<std::size_t>(digits);
+  if (number.is_zero()) return {number.negative, std::string(size, '0'), 1, 0};
+  const std::string_view significand = number.significand();
+  const int exponent = static_cast<int>(significand.size()) - 1 - number.decimals();
+  return {number.negative, std::string(significand.substr(0, size)), 1, exponent};
 }
 
 /// The value to as many significant digits, written with a fixed point.
@@ -62,9 +64,10 @@ ColumnForm column_form(const std::vector<PrintedNumber>& prints) {
 
 std::optional<PrintedNumber> round_to_form(const TrueValue& value, const PrintForm& form) {
   if (!form.scientific) return round_to_decimals(value, std::max(form.digits, 0));
-  const auto rounded = round_to_digits(value, std::max(form.digits, 1));
+  const int digits = std::max(form.digits, 1);
+  const auto rounded = round_to_digits(value, digits);
   if (!rounded) return std::nullopt;
-  return to_scientific(*rounded);
+  return to_scientific(*rounded, digits);
 }
 
 std::vector<PrintedNumber> intended_prints(const TrueValue& value, const PrintedNumber& print,
@@ -96,8 +99,8 @@ int correct_digits(const TrueValue& value, const PrintedNumber& print) {
   const double error = distance(value, print, power_of_ten(first_place));
   const int printed_digits = print.significant_digits();
   if (error == 0) return printed_digits;
-  // error <= 10^(1 - k) / 2
-  return std::clamp(static_cast<int>(std::floor(1 - std::log10(2 * error))), 0, printed_digits);
+  // The largest k with error < 10^(1 - k).
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(error))), 0, printed_digits);
 }
 
 double distance_in_units(const TrueValue& value, const PrintedNumber& print) {

@@ -39,7 +39,8 @@ std::vector<PrintedNumber> intended_prints(const TrueValue& value, const Printed
                                            const ColumnForm& column);
 
 /// How many leading significant digits of the print are right: the largest k for which the print is
-/// within half a unit of the value's k-th significant digit; 0 if the value is zero.
+/// less than one unit of the value's k-th significant digit away, so that digits which agree as
+/// text always count, and 0.3999 has three right digits of 0.4001; 0 if the value is zero.
 int correct_digits(const TrueValue& value, const PrintedNumber& print);
 
 /// |print - value| in units of the print's last digit.

@@ -49,11 +49,13 @@ TEST(PrintForm, CountsCorrectDigits) {
   EXPECT_EQ(count("0.634202334430"), 12);
   EXPECT_EQ(count("0.6342"), 4);
   EXPECT_EQ(count("0.634202334000"), 9);
+  EXPECT_EQ(count("0.634202334431"), 11);
   EXPECT_EQ(count("0.634802334430"), 3);
   EXPECT_EQ(count("-0.634202334430"), 0);
   EXPECT_EQ(count("6.34"), 0);
   EXPECT_EQ(count("0"), 0);
   EXPECT_EQ(correct_digits(exactly("0.4000001"), parse_printed_number("0.3999999")), 6);
+  EXPECT_EQ(correct_digits(exactly("0.4001"), parse_printed_number("0.3999")), 3);
   EXPECT_EQ(correct_digits(exactly("0"), parse_printed_number("0.1")), 0);
 }
 

@@ -69,7 +69,7 @@ std::string_view PrintedNumber::significand() const {
 }
 
 int PrintedNumber::significant_digits() const {
-  if (is_zero()) return static_cast<int>(digits.size()) - integer_digits;
+  if (is_zero()) return static_cast<int>(digits.size());
   return static_cast<int>(significand().size());
 }
 

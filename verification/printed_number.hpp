@@ -24,7 +24,7 @@ struct PrintedNumber {
   bool is_bare_zero() const { return digits == "0" && !negative && !is_scientific(); }
   /// Digits behind the point in fixed notation; negative if the last digit stands for tens or more.
   int decimals() const;
-  /// Digits from the first that is not zero on; of a zero, all behind the point.
+  /// Digits from the first that is not zero on; of a zero, all of them.
   int significant_digits() const;
   /// The digits from the first that is not zero on; empty for zero.
   std::string_view significand() const;

@@ -47,7 +47,7 @@ TEST(PrintedNumber, TellsABareZeroFromAZeroWithDecimals) {
     EXPECT_TRUE(parse_printed_number(text).is_zero()) << text;
     EXPECT_FALSE(parse_printed_number(text).is_bare_zero()) << text;
   }
-  EXPECT_EQ(parse_printed_number("0.000").significant_digits(), 3);
+  EXPECT_EQ(parse_printed_number("0.000e0").significant_digits(), 4);
 }
 
 TEST(PrintedNumber, RefusesWhatIsNoNumber) {
