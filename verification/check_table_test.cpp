@@ -171,7 +171,8 @@ TEST(CheckTable, FindsTheRouteThatATableWasMadeBy) {
   }
   input.decimals = 9;
   const std::string wanted =
-      "alpha from h*sqrt2 rounded to 6 decimals; mu by least squares with mu_0 = 1";
+      "alpha from h*sqrt2 rounded to 6 decimals; mu the eigenvector for the eigenvalue nearest "
+      "zero";
   std::string rows;
   for (const RouteValues& route : run_routes(Quantity::mu_normalized, input)) {
     if (route.name != wanted) continue;

@@ -39,13 +39,17 @@ Table column_table(const CheckedTable& table) {
   return result;
 }
 
-Table route_table(const CheckedColumn& column, std::size_t most) {
-  std::vector<RouteScore> scores = column.routes;
+Table route_table(const CheckedColumn& column, const std::string& start, std::size_t most) {
+  std::vector<RouteScore> scores;
+  for (const RouteScore& score : column.routes) {
+    if (score.name.starts_with(start)) scores.push_back(score);
+  }
   std::stable_sort(scores.begin(), scores.end(), [](const RouteScore& a, const RouteScore& b) {
     return a.matched != b.matched ? a.matched > b.matched : a.farthest < b.farthest;
   });
-  Table result{fmt::format("{}: the nearest of {} computations tried", to_string(column.quantity),
-                           scores.size()),
+  const std::string which = start.empty() ? "" : " \"" + start + " ...\"";
+  Table result{fmt::format("{}: the nearest of {} computations{} tried", to_string(column.quantity),
+                           scores.size(), which),
                {"computation", "entries yielded", "of", "largest distance in last units"},
                {}};
   for (std::size_t i = 0; i < std::min(most, scores.size()); ++i) {

@@ -15,8 +15,9 @@ Table row_table(const CheckedTable& table);
 /// Every column with its best route.
 Table column_table(const CheckedTable& table);
 
-/// The routes tried for a column, those that come nearest first, at most `most` of them.
-Table route_table(const CheckedColumn& column, std::size_t most);
+/// The routes tried for a column whose names start with `start`, those that come nearest first, at
+/// most `most` of them.
+Table route_table(const CheckedColumn& column, const std::string& start, std::size_t most);
 
 /// |print - true value| of every entry that is not exactly right, on a logarithmic scale.
 Chart deviation_chart(const CheckedTable& table, const std::string& id);

@@ -16,7 +16,7 @@ namespace wavecurve::verification {
 
 namespace {
 
-constexpr std::size_t routes_shown = 12;
+constexpr std::size_t nearest_shown = 6, solvers_shown = 20;
 
 bool is_alpha(const CheckedRow& row) { return row.entry.quantity == Quantity::autocorrelation; }
 
@@ -87,8 +87,8 @@ Outcome evaluate() {
                                                                       : Verdict::discrepant;
   outcome.own_value = count_text(table);
   outcome.summary = fmt::format(
-      "{} entries are not the true values but those of a named computation, {} lack or have "
-      "misplaced a digit, {} have another number of decimals than their column.",
+      "{} entries are not the true values but those of a named computation, {} are misprints of "
+      "one edit, {} have another number of decimals than their column.",
       by_route, count_of(table, Verdict::misprint), count_of(table, Verdict::form));
   const Table cause = cause_table(table);
   outcome.evidence = {
@@ -106,7 +106,10 @@ Outcome evaluate() {
       cause,
   };
   for (const CheckedColumn& column : table.columns) {
-    if (column.routes.size() > 1) outcome.evidence.push_back(route_table(column, routes_shown));
+    if (column.routes.size() == 1) continue;
+    outcome.evidence.push_back(route_table(column, "", nearest_shown));
+    if (column.quantity == Quantity::autocorrelation) continue;
+    outcome.evidence.push_back(route_table(column, "alpha as printed", solvers_shown));
   }
   outcome.evidence.push_back(deviation_chart(table, "table-2-deviations"));
   return outcome;
