@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/rounding.hpp"
+
 #include "misprint.hpp"
 #include "print_form.hpp"
 #include "published_taps.hpp"
@@ -200,7 +203,12 @@ std::string certified_text(const Row& row, const ColumnForm& column) {
     shown.digits = std::max(shown.digits, own.digits);
   }
   const auto rounded = round_to_form(row.value, shown);
-  return rounded ? rounded->text() : fmt::format("{:.15g}", row.value.to_double());
+  if (rounded) return rounded->text();
+  constexpr int most_digits = 15;
+  return row.value.exact
+             ? certified::round_to_digits(*row.value.exact, most_digits)
+             : certified::supported_decimal(row.value.enclosure(precision_limit_bits), most_digits)
+                   .value;
 }
 
 void finish(Column& column, const RouteScore& route) {
@@ -225,7 +233,8 @@ class Filters {
     const auto known = by_table_name_.find(name);
     if (known != by_table_name_.end()) return *known->second;
     certified::FilterDefinition definition = find_table_filter(name);
-    const std::string canonical = definition.name;
+    // A user's file may call itself what it likes.
+    const std::string canonical = name.ends_with(".json") ? name : definition.name;
     auto& values = by_canonical_name_[canonical];
     if (!values) values = std::make_unique<FilterValues>(std::move(definition));
     by_table_name_[name] = values.get();

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "wavecurve/io/write_file.hpp"
+
 #include "print_form.hpp"
 #include "true_value.hpp"
 
@@ -207,6 +209,29 @@ TEST(CheckTable, TakesEitherNeighbourOfAnExactTie) {
   EXPECT_EQ(table.rows[0].verdict, Verdict::certified) << table.rows[0].detail;
   EXPECT_EQ(table.rows[1].verdict, Verdict::certified) << table.rows[1].detail;
   EXPECT_NE(table.rows[0].detail.find("tie"), std::string::npos);
+}
+
+TEST(CheckTable, TakesAUsersOwnFilter) {
+  const auto path = std::filesystem::temp_directory_path() / "wavecurve_check_table_test.json";
+  io::write_file(path, R"({"taps": ["0.5", "0.5"], "sum": "1"})");
+  const std::string name = path.string();
+  const CheckedTable table =
+      check(name + ",h*sqrt2,0,1.0\n" + name + ",h/sqrt2,1,0.5\n" + name + ",alpha,1,1.0000\n");
+  std::filesystem::remove(path);
+  EXPECT_TRUE(table.is_right());
+  EXPECT_TRUE(refusal("no/such/filter.json,h,0,1\n").starts_with("t.csv:2: "));
+}
+
+TEST(CheckTable, SaysWhatAUsersDecimalsDoNotDecide) {
+  const auto path = std::filesystem::temp_directory_path() / "wavecurve_check_undecided_test.json";
+  io::write_file(path, R"({"taps": ["0.6830", "1.1830", "0.3170", "-0.1830"], "sum": "2"})");
+  const std::string name = path.string();
+  const CheckedTable table = check(name + ",h*sqrt2,0,0.6830127\n" + name + ",h*sqrt2,1,1.18\n" +
+                                   name + ",h*sqrt2,2,0.9\n");
+  std::filesystem::remove(path);
+  EXPECT_EQ(table.rows[0].verdict, Verdict::undecided) << table.rows[0].detail;
+  EXPECT_EQ(table.rows[1].verdict, Verdict::certified) << table.rows[1].detail;
+  EXPECT_EQ(table.rows[2].verdict, Verdict::discrepant) << table.rows[2].detail;
 }
 
 TEST(CheckTable, NamesTheLineOfWhatTheFilterDoesNotHave) {

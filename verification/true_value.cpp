@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
+#include <system_error>
 
+#include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
-#include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
-#include "wavecurve/filters/autocorrelation.hpp"
+#include "wavecurve/io/load_filter.hpp"
 
 namespace wavecurve::verification {
 
@@ -139,9 +140,8 @@ TrueValue FilterValues::autocorrelation(int index) {
   if (orthonormal_ && n % 2 == 0) return {Rational(n == 0 ? 2 : 0), {}};
   if (definition_.exact) return {definition_.exact->synthesis[n], {}};
   return {std::nullopt, [this, n](long bits) {
-            const Filter<Ball>& taps = bank(bits).synthesis_low;
             const WorkingPrecision precision(bits + guard_bits);
-            return wavecurve::autocorrelation(taps)[n];
+            return certified::autocorrelation(definition_, bits)[n];
           }};
 }
 
@@ -175,7 +175,11 @@ TrueValue FilterValues::value(Quantity quantity, int index) {
 }
 
 certified::FilterDefinition find_table_filter(const std::string& name) {
-  return certified::find_filter(name);
+  try {
+    return io::load_filter(name);
+  } catch (const std::system_error& unreadable) {
+    throw std::invalid_argument(unreadable.what());  // the table names a file that is not there
+  }
 }
 
 }  // namespace wavecurve::verification

@@ -73,8 +73,8 @@ class FilterValues {
   bool asked_for_exact_ = false;
 };
 
-/// The filter that a table's row names: the one place where such a name is looked up.
-/// Throws std::invalid_argument if it is unknown.
+/// The filter that a table's row names: a known name or the path of a user's ".json" file, from the
+/// working directory. Throws std::invalid_argument if there is none, or it is not what it claims.
 certified::FilterDefinition find_table_filter(const std::string& name);
 
 }  // namespace wavecurve::verification

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/certified/rounding.hpp"
-
 namespace wavecurve::verification {
 namespace {
 

@@ -131,7 +131,8 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
       ->add_option("table", options->table,
                    "comma-separated text with the columns filter,quantity,index,printed;\n"
                    "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
-      ->required();
+      ->required()
+      ->check(CLI::ExistingFile);
   command->add_option("--format", options->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
