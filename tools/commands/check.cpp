@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "../../verification/check_table.hpp"
+#include "commands.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+using namespace wavecurve::verification;
+
+/// Six significant digits: a distance is there to be read, not to be computed with.
+double short_number(double x) { return std::stod(fmt::format("{:.6g}", x)); }
+
+std::string form_text(const CheckedColumn& column) {
+  return fmt::format("{} {}", column.digits, column.scientific ? "significant digits" : "decimals");
+}
+
+std::string as_json(const CheckedTable& table) {
+  nlohmann::ordered_json result;
+  result["table"] = table.title;
+  result["rows"] = nlohmann::ordered_json::array();
+  for (const CheckedRow& row : table.rows) {
+    result["rows"].push_back({{"filter", row.entry.filter},
+                              {"quantity", to_string(row.entry.quantity)},
+                              {"index", row.entry.index},
+                              {"printed", row.entry.printed},
+                              {"verdict", to_string(row.verdict)},
+                              {"certified", row.certified},
+                              {"ulps", short_number(row.ulps)},
+                              {"detail", row.detail}});
+  }
+  result["columns"] = nlohmann::ordered_json::array();
+  for (const CheckedColumn& column : table.columns) {
+    result["columns"].push_back(
+        {{"filter", column.filter},
+         {"quantity", to_string(column.quantity)},
+         {column.scientific ? "significant_digits" : "decimals", column.digits},
+         {"route", column.route},
+         {"matched", column.matched},
+         {"after_edit", column.after_edit},
+         {"of", column.of}});
+  }
+  result["counts"] = nlohmann::ordered_json::object();
+  for (const auto& [verdict, count] : table.counts()) {
+    result["counts"][std::string(to_string(verdict))] = count;
+  }
+  // A title or a name may hold bytes that are no UTF-8.
+  return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string as_csv(const CheckedTable& table) {
+  std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail\n";
+  for (const CheckedRow& row : table.rows) {
+    result +=
+        fmt::format("{},{},{},{},{},{},{:.6g},{}\n", csv_field(row.entry.filter),
+                    to_string(row.entry.quantity), row.entry.index, csv_field(row.entry.printed),
+                    to_string(row.verdict), row.certified, row.ulps, csv_field(row.detail));
+  }
+  return result;
+}
+
+std::string as_text(const CheckedTable& table) {
+  std::vector<std::vector<std::string>> cells{
+      {"filter", "quantity", "index", "printed", "certified", "ulps", "verdict", "detail"}};
+  for (const CheckedRow& row : table.rows) {
+    cells.push_back({row.entry.filter, std::string(to_string(row.entry.quantity)),
+                     std::to_string(row.entry.index), row.entry.printed, row.certified,
+                     fmt::format("{:.3g}", row.ulps), std::string(to_string(row.verdict)),
+                     row.detail});
+  }
+  std::vector<std::size_t> widths(cells[0].size(), 0);
+  for (const auto& row : cells) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string result = table.title.empty() ? "" : table.title + "\n\n";
+  for (const auto& row : cells) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    result += line + "\n";
+  }
+  result += "\nroutes\n";
+  for (const CheckedColumn& column : table.columns) {
+    result += fmt::format("  {} {} ({}): {} of {} entries", column.filter,
+                          to_string(column.quantity), form_text(column), column.matched, column.of);
+    if (column.after_edit > 0) result += fmt::format(", {} after an edit", column.after_edit);
+    result += " from " + column.route + "\n";
+  }
+  result += "\n";
+  for (const auto& [verdict, count] : table.counts()) {
+    result += fmt::format("{:>6} {}\n", count, to_string(verdict));
+  }
+  return result;
+}
+
+struct Options {
+  std::string table, format = "text";
+};
+
+void run(const Options& options, ExitCode& exit_code) {
+  const CheckedTable table = check_table(read_published_table(options.table));
+  const std::string text = options.format == "json"  ? as_json(table)
+                           : options.format == "csv" ? as_csv(table)
+                                                     : as_text(table);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!table.is_right()) exit_code = differs;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, ExitCode& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "check", "Hold the numbers of a published table against their certified values");
+  command
+      ->add_option("table", options->table,
+                   "comma-separated text with the columns filter,quantity,index,printed;\n"
+                   "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--format", options->format, "text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->capture_default_str();
+  command->footer(
+      "Verdicts: certified, form, published-route, misprint, agrees-to-digits, discrepant, "
+      "undecided.\n"
+      "Exit code: 0 if every value is right (certified, or right but for its form), 1 if one is "
+      "not,\n"
+      "2 if the file is no such table.");
+  command->callback([options, &exit_code] { run(*options, exit_code); });
+}
+
+}  // namespace wavecurve::tools
