@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "escape.hpp"
+#include "formula.hpp"
 #include "inline_svg.hpp"
 
 namespace wavecurve::reports {
@@ -25,7 +26,7 @@ bool is_number(const std::string& cell) {
 
 std::string cell_html(const std::string& cell, bool is_row_header) {
   const std::string name = is_row_header ? "th scope=\"row\"" : "td";
-  return "<" + name + (is_number(cell) ? " class=\"number\">" : ">") + escape(cell) +
+  return "<" + name + (is_number(cell) ? " class=\"number\">" : ">") + formula_html(cell) +
          (is_row_header ? "</th>" : "</td>");
 }
 
@@ -52,7 +53,7 @@ std::string head_html(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     html +=
         is_number_column(table, i) ? "<th scope=\"col\" class=\"number\">" : "<th scope=\"col\">";
-    html += escape(table.columns[i]) + "</th>";
+    html += formula_html(table.columns[i]) + "</th>";
   }
   return html + "</tr></thead>\n";
 }
@@ -62,8 +63,8 @@ std::string table_html(const Table& table, const std::string& id) {
   // A region that scrolls must be reachable by keyboard, and then needs a name.
   std::string html = "<div class=\"scroll" + std::string(is_long ? " long" : "") +
                      "\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + id +
-                     "\">\n<table>\n" + "<caption id=\"" + id + "\">" + escape(table.caption) +
-                     "</caption>\n" + head_html(table) + "<tbody>\n";
+                     "\">\n<table>\n" + "<caption id=\"" + id + "\">" +
+                     formula_html(table.caption) + "</caption>\n" + head_html(table) + "<tbody>\n";
   for (const auto& row : table.rows) html += row_html(row);
   return html + "</tbody>\n</table>\n</div>\n";
 }
@@ -75,7 +76,8 @@ std::string figure_html(const std::string& id, const std::string& svg, const Tab
   numbers.caption = "The numbers shown: " + data.caption;
   return "<figure id=\"figure-" + id + "\">\n" +
          inline_svg(svg, "svg-" + id + "-", data.caption, description) + "\n<figcaption>" +
-         escape(data.caption) + note + "</figcaption>\n</figure>\n" + table_html(numbers, table_id);
+         formula_html(data.caption) + note + "</figcaption>\n</figure>\n" +
+         table_html(numbers, table_id);
 }
 
 struct EvidenceToHtml {
@@ -83,7 +85,7 @@ struct EvidenceToHtml {
   const std::string& table_id;
 
   std::string operator()(const Paragraph& paragraph) const {
-    return "<p>" + escape(paragraph.text) + "</p>\n";
+    return "<p>" + formula_html(paragraph.text) + "</p>\n";
   }
   std::string operator()(const Table& table) const { return table_html(table, table_id); }
   std::string operator()(const Chart& chart) const {

@@ -1,6 +1,7 @@
 #include "html_report.hpp"
 
 #include "escape.hpp"
+#include "formula.hpp"
 #include "html_evidence.hpp"
 #include "stylesheet.hpp"
 #include "verdict_style.hpp"
@@ -58,10 +59,10 @@ std::string summary_row(const ClaimResult& result) {
            "</div></td>\n";
   };
   return "<tr role=\"row\">\n<th role=\"rowheader\" scope=\"row\"><a href=\"#claim-" +
-         escape(claim.id) + "\">" + escape(claim.title) + "</a><span class=\"where\">" +
-         escape(claim.location) + "</span></th>\n" + cell("Printed", escape(claim.printed)) +
-         cell("Own value", escape(outcome.own_value)) + cell("Verdict", badge(outcome.verdict)) +
-         "</tr>\n";
+         escape(claim.id) + "\">" + formula_html(claim.title) + "</a><span class=\"where\">" +
+         escape(claim.location) + "</span></th>\n" + cell("Printed", formula_html(claim.printed)) +
+         cell("Own value", formula_html(outcome.own_value)) +
+         cell("Verdict", badge(outcome.verdict)) + "</tr>\n";
 }
 
 std::string summary(const Report& report) {
@@ -88,12 +89,13 @@ std::string fact(const std::string& name, const std::string& html) {
 std::string claim_section(const ClaimResult& result, const Figures& figures) {
   const auto& [claim, outcome] = result;
   const std::string id = escape(claim.id);
-  std::string html =
-      "<section class=\"claim\" id=\"claim-" + id + "\" aria-labelledby=\"title-" + id +
-      "\">\n<h3 id=\"title-" + id + "\">" + escape(claim.title) + "</h3>\n<p class=\"where\">" +
-      escape(claim.location) + " · <code>" + id + "</code></p>\n<dl>\n" +
-      fact("Printed", escape(claim.printed)) + fact("Own value", escape(outcome.own_value)) +
-      fact("Verdict", badge(outcome.verdict) + " " + escape(outcome.summary)) + "</dl>\n";
+  std::string html = "<section class=\"claim\" id=\"claim-" + id + "\" aria-labelledby=\"title-" +
+                     id + "\">\n<h3 id=\"title-" + id + "\">" + formula_html(claim.title) +
+                     "</h3>\n<p class=\"where\">" + escape(claim.location) + " · <code>" + id +
+                     "</code></p>\n<dl>\n" + fact("Printed", formula_html(claim.printed)) +
+                     fact("Own value", formula_html(outcome.own_value)) +
+                     fact("Verdict", badge(outcome.verdict) + " " + formula_html(outcome.summary)) +
+                     "</dl>\n";
   int count = 0;
   for (const Evidence& item : outcome.evidence) {
     html += html_of(item, figures, "table-of-" + id + "-" + std::to_string(++count));

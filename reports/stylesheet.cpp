@@ -38,6 +38,7 @@ a:focus-visible, .scroll:focus-visible, section:focus-visible {
   outline: 3px solid var(--focus); outline-offset: 2px;
 }
 code { font: .9em ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
+sub, sup { font-size: .75em; line-height: 0; }
 .skip { position: absolute; left: -999rem; padding: .5rem 1rem; background: var(--ground); }
 .skip:focus { left: 1rem; top: 1rem; z-index: 1; }
 header { border-bottom: 1px solid var(--line); padding-bottom: 1rem; }

@@ -82,9 +82,9 @@ Outcome evaluate() {
       "They double the number of functions, and every f in V^{M_f} has the coefficient 0 with "
       "them.",
       {Paragraph{
-           "With V^(m-1) = V^m + W^m, as printed below (2.4), V^{M_f} is V^{M_c} together with "
+           "With V^{m-1} = V^m + W^m, as printed below (2.4), V^{M_f} is V^{M_c} together with "
            "W^m for m = M_f + 1 .. M_c. The recursion (2.8) agrees: from c^{M_f} it yields "
-           "d^(M_f + 1) first, and never d^{M_f}. The identity survives only because the "
+           "d^{M_f + 1} first, and never d^{M_f}. The identity survives only because the "
            "superfluous terms vanish; as a count of coefficients it is wrong by a factor of "
            "two."},
        counts}};

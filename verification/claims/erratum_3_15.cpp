@@ -132,9 +132,8 @@ Outcome evaluate() {
       "the identity block has no factor 1/ρ; with it, the displacement errs by up to {:.0f} %",
       100 * worst);
   outcome.summary =
-      "The upper row must read q̇ = q̇. With 1/ρ before it, the system solves q̈ = -K q / ρ^2 "
-      "- "
-      "C q̇ / ρ: right for ρ = 1 only.";
+      "The upper row must read q̇ = q̇. With 1/ρ before it, the system solves "
+      "q̈ = -K q / ρ^2 - C q̇ / ρ: right for ρ = 1 only.";
   outcome.evidence = {
       Paragraph{
           "A shape is released at rest and moves freely. The exact motion is known mode by mode, "

@@ -83,7 +83,7 @@ Outcome evaluate() {
       "null "
       "space of what is left. For pure mass damping, s_2 = 0, nothing at all is left.",
       {Paragraph{
-           "The step q + dt C^-1 (Q_e - K q) of the print does not exist. With the pseudo-inverse "
+           "The step q + Δt C^-1 (Q_e - K q) of the print does not exist. With the pseudo-inverse "
            "in place of the inverse it moves everything but the mean, which it leaves where it "
            "was; a force with a mean other than zero is not balanced at all."},
        singular_values(),
@@ -94,12 +94,12 @@ Outcome evaluate() {
        schulz_chart(damping(circulant_stiffness(find_filter_bank("db4"), 16), 0))}};
 }
 
-const RegisterClaim registered({"erratum-massless-damping",
-                                "Without mass the damping matrix has no inverse", "Section 3.3",
-                                "setting the mass density ρ to zero to obtain C q̇ + K q = Q_e "
-                                "... q^(t + dt) = q^(t) + dt C^-1 "
-                                "(Q_e^(t) - K q^(t)) ... X_n will converge to C^-1 quadratically",
-                                evaluate});
+const RegisterClaim registered(
+    {"erratum-massless-damping", "Without mass the damping matrix has no inverse", "Section 3.3",
+     "setting the mass density ρ to zero to obtain C q̇ + K q = Q_e "
+     "... q^{(t + Δt)} = q^{(t)} + Δt C^-1 "
+     "(Q_e^{(t)} - K q^{(t)}) ... X_n will converge to C^-1 quadratically",
+     evaluate});
 
 }  // namespace
 
