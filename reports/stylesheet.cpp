@@ -113,7 +113,12 @@ figcaption { margin-top: .5rem; max-width: 46rem; }
   body { max-width: none; padding: 0; font-size: 10pt; }
   .skip, nav, .back { display: none; }
   a { color: inherit; text-decoration: none; }
-  h2, h3, caption, figcaption { break-after: avoid; }
+  h1 { font-size: 18pt; }
+  h2 { font-size: 14pt; }
+  h3 { font-size: 12pt; }
+  h2, h3, caption, .claim > .where { break-after: avoid; }
+  figcaption { break-before: avoid; }
+  .summary, caption, .dated, .where, .files, .verdict { font-size: 8.5pt; }
   figure, .counts, .claim > dl, tr { break-inside: avoid; }
   figure svg { max-width: 150mm; }
   .scroll { overflow: visible; }
