@@ -7,6 +7,8 @@
 #include <string>
 #include <thread>
 
+#include "wavecurve/certified/thread_cache.hpp"
+
 namespace wavecurve::verification {
 
 namespace {
@@ -37,6 +39,7 @@ std::vector<ClaimResult> run_claims(std::span<const Claim> claims, const Progres
   std::size_t finished = 0;
   std::mutex reporting;
   const auto work = [&] {
+    const certified::ThreadCache cache;
     for (std::size_t i = next++; i < claims.size(); i = next++) {
       results[i] = {claims[i], evaluate(claims[i])};
       const std::scoped_lock lock(reporting);

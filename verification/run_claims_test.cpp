@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/rounding.hpp"
+
 namespace wavecurve::verification {
 namespace {
 
@@ -52,6 +55,22 @@ TEST(RunClaims, ProgressCountsEveryClaimOnceInSteps) {
     counts.push_back(finished);
   });
   EXPECT_EQ(counts, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+/// The leak sanitizer of the preset `sanitize` sees what a thread leaves behind.
+TEST(RunClaims, CertifiedComputationsMayRunOnEveryThread) {
+  std::vector<Claim> suite;
+  for (int i = 0; i < 6; ++i) {
+    suite.push_back(claim_with(std::to_string(i), [] {
+      const auto bank = certified::find_filter("coif2").bank(256);
+      return holds(*certified::round_to_decimals(bank.synthesis_low.taps.front(), 40));
+    }));
+  }
+  const auto results = run_claims(suite);
+  for (const ClaimResult& result : results) {
+    EXPECT_EQ(result.outcome.verdict, Verdict::holds) << result.outcome.summary;
+    EXPECT_EQ(result.outcome.own_value, results.front().outcome.own_value);
+  }
 }
 
 TEST(RunClaims, NoClaimsNoResults) { EXPECT_TRUE(run_claims({}).empty()); }
