@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct Table {
 };
 
 /// A chart drawn by gnuplot. `script` holds the plot commands without `set terminal`/`set output`;
-/// it reads the table's rows from the file name in the gnuplot variable `data` (columns separated by
-/// tabs, first line the column names). The table is shown beneath the chart.
+/// it reads the table's rows from the file name in the gnuplot variable `data` (columns separated
+/// by tabs, first line the column names). The table is shown beneath the chart.
 struct Chart {
   std::string id;  ///< file name without ending, unique in the report
   Table data;
@@ -49,7 +50,7 @@ struct Outcome {
 
 /// One table, figure or statement of the publication.
 struct Claim {
-  std::string id;        ///< "table-1", "off-diagonal-energy"
+  std::string id;  ///< "table-1", "off-diagonal-energy"
   std::string title;
   std::string location;  ///< "Section 3.2, Table 1"
   std::string printed;   ///< what the publication says, in its own words or numbers
@@ -62,7 +63,11 @@ struct RegisterClaim {
   explicit RegisterClaim(Claim claim);
 };
 
-/// All registered claims, ordered by id as a reader would (table-1, table-2, figure-3, then the rest).
+/// All registered claims, ordered by id as a reader would: the tables, the figures, the statements,
+/// the errata. Throws std::logic_error if two claims have the same id.
 const std::vector<Claim>& claims();
+
+/// The order of claims(); numbers within ids count as numbers, so figure-9 precedes figure-10.
+bool precedes(std::string_view id, std::string_view other);
 
 }  // namespace wavecurve::verification

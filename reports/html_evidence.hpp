@@ -1,0 +1,15 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "claim.hpp"
+
+namespace wavecurve::reports {
+
+/// One piece of evidence as HTML; each figure is followed by the table of its numbers.
+/// `figures` as in to_html; `table_id` makes the table's caption a label of its own.
+std::string html_of(const verification::Evidence& evidence,
+                    const std::map<std::string, std::string>& figures, const std::string& table_id);
+
+}  // namespace wavecurve::reports

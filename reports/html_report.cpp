@@ -1,0 +1,127 @@
+#include "html_report.hpp"
+
+#include "escape.hpp"
+#include "formula.hpp"
+#include "html_evidence.hpp"
+#include "stylesheet.hpp"
+#include "verdict_style.hpp"
+
+namespace wavecurve::reports {
+
+namespace {
+
+using namespace verification;
+using Figures = std::map<std::string, std::string>;
+
+constexpr const char* report_title = "Verification of the published numbers and claims";
+
+/// The symbol is decoration, the word is what counts: a screen reader is spared the symbol.
+std::string badge(Verdict verdict) {
+  const VerdictStyle style = style_of(verdict);
+  return "<span class=\"verdict " + std::string(style.tone) + "\"><span aria-hidden=\"true\">" +
+         std::string(style.symbol) + "</span> " + std::string(to_string(verdict)) + "</span>";
+}
+
+std::string head() {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+         std::string(report_title) + "</title>\n<style>\n" + std::string(stylesheet()) +
+         "</style>\n</head>\n";
+}
+
+std::string header(const Report& report) {
+  const Publication& publication = report.publication;
+  return "<a class=\"skip\" href=\"#summary\">Skip to the summary</a>\n<header>\n<h1>" +
+         std::string(report_title) + "</h1>\n<p class=\"publication\"><cite>" +
+         escape(publication.title) + "</cite><br>" + escape(publication.authors) + ". " +
+         escape(publication.dates) + ".</p>\n<p class=\"dated\">wavecurve " +
+         escape(report.program) + ", generated " + escape(report.generated) +
+         "</p>\n<nav aria-label=\"Parts of the report\"><a href=\"#summary\">Summary</a> "
+         "<a href=\"#evidence\">Evidence, claim by claim</a> "
+         "<a href=\"#verdicts\">What the verdicts mean</a></nav>\n</header>\n";
+}
+
+std::string counts_html(const Report& report) {
+  std::string html = "<ul class=\"counts\">\n";
+  for (const auto& [verdict, count] : count_verdicts(report.results)) {
+    html += "<li><strong>" + std::to_string(count) + "</strong> " + badge(verdict) + "</li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+/// On a narrow screen a row becomes a card, and CSS then takes the table's meaning away; the roles
+/// keep it for screen readers, the labels show it to the eye.
+std::string summary_row(const ClaimResult& result) {
+  const auto& [claim, outcome] = result;
+  const auto cell = [](const std::string& label, const std::string& html) {
+    return "<td role=\"cell\" data-label=\"" + label + "\"><div class=\"clamp\">" + html +
+           "</div></td>\n";
+  };
+  return "<tr role=\"row\">\n<th role=\"rowheader\" scope=\"row\"><a href=\"#claim-" +
+         escape(claim.id) + "\">" + formula_html(claim.title) + "</a><span class=\"where\">" +
+         escape(claim.location) + "</span></th>\n" + cell("Printed", formula_html(claim.printed)) +
+         cell("Own value", formula_html(outcome.own_value)) +
+         cell("Verdict", badge(outcome.verdict)) + "</tr>\n";
+}
+
+std::string summary(const Report& report) {
+  std::string html =
+      "<section id=\"summary\" aria-labelledby=\"summary-title\" tabindex=\"-1\">\n"
+      "<h2 id=\"summary-title\">Summary</h2>\n" +
+      counts_html(report) +
+      "<table class=\"summary\" role=\"table\">\n"
+      "<caption>Every table, figure and claim tested; each title leads to its evidence</caption>\n"
+      "<thead role=\"rowgroup\"><tr role=\"row\">"
+      "<th role=\"columnheader\" scope=\"col\">Claim</th>"
+      "<th role=\"columnheader\" scope=\"col\">Printed</th>"
+      "<th role=\"columnheader\" scope=\"col\">Own value</th>"
+      "<th role=\"columnheader\" scope=\"col\">Verdict</th></tr></thead>\n"
+      "<tbody role=\"rowgroup\">\n";
+  for (const ClaimResult& result : report.results) html += summary_row(result);
+  return html + "</tbody>\n</table>\n</section>\n";
+}
+
+std::string fact(const std::string& name, const std::string& html) {
+  return "<div><dt>" + name + "</dt><dd>" + html + "</dd></div>\n";
+}
+
+std::string claim_section(const ClaimResult& result, const Figures& figures) {
+  const auto& [claim, outcome] = result;
+  const std::string id = escape(claim.id);
+  std::string html = "<section class=\"claim\" id=\"claim-" + id + "\" aria-labelledby=\"title-" +
+                     id + "\">\n<h3 id=\"title-" + id + "\">" + formula_html(claim.title) +
+                     "</h3>\n<p class=\"where\">" + escape(claim.location) + " · <code>" + id +
+                     "</code></p>\n<dl>\n" + fact("Printed", formula_html(claim.printed)) +
+                     fact("Own value", formula_html(outcome.own_value)) +
+                     fact("Verdict", badge(outcome.verdict) + " " + formula_html(outcome.summary)) +
+                     "</dl>\n";
+  int count = 0;
+  for (const Evidence& item : outcome.evidence) {
+    html += html_of(item, figures, "table-of-" + id + "-" + std::to_string(++count));
+  }
+  return html + "<p class=\"back\"><a href=\"#summary\">Back to the summary</a></p>\n</section>\n";
+}
+
+std::string verdict_list() {
+  std::string html =
+      "<section id=\"verdicts\" aria-labelledby=\"verdicts-title\">\n"
+      "<h2 id=\"verdicts-title\">What the verdicts mean</h2>\n<dl class=\"meanings\">\n";
+  for (int i = 0; i <= static_cast<int>(Verdict::stand_in); ++i) {
+    const auto verdict = static_cast<Verdict>(i);
+    html += fact(badge(verdict), escape(style_of(verdict).meaning));
+  }
+  return html + "</dl>\n</section>\n";
+}
+
+}  // namespace
+
+std::string to_html(const Report& report, const Figures& figures) {
+  std::string html = head() + "<body>\n" + header(report) + "<main>\n" + summary(report) +
+                     "<section id=\"evidence\" aria-labelledby=\"evidence-title\">\n"
+                     "<h2 id=\"evidence-title\">Evidence, claim by claim</h2>\n";
+  for (const ClaimResult& result : report.results) html += claim_section(result, figures);
+  return html + "</section>\n" + verdict_list() + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace wavecurve::reports

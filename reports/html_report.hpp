@@ -1,0 +1,15 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "report.hpp"
+
+namespace wavecurve::reports {
+
+/// The report as one HTML page that needs nothing else: no network, no script, no font.
+/// `figures` holds the SVG document of each chart and picture by its id; std::out_of_range if one
+/// is missing.
+std::string to_html(const Report& report, const std::map<std::string, std::string>& figures);
+
+}  // namespace wavecurve::reports

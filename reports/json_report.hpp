@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "report.hpp"
+
+namespace wavecurve::reports {
+
+/// report.json: publication, date, version, counts by verdict, and each claim with its evidence.
+std::string to_json(const Report& report);
+
+}  // namespace wavecurve::reports

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "report.hpp"
+
+namespace wavecurve::reports {
+
+/// One line a claim (id, verdict, own value), then the counts by verdict. Lines are cut to `width`
+/// columns; 0 means that they are not cut.
+std::string terminal_table(const std::vector<verification::ClaimResult>& results,
+                           std::size_t width);
+
+}  // namespace wavecurve::reports

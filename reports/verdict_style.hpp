@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+#include "verdict.hpp"
+
+namespace wavecurve::reports {
+
+/// How the page shows a verdict. Its word and its symbol say all; the tone only adds colour.
+struct VerdictStyle {
+  std::string_view symbol;
+  std::string_view tone;     ///< CSS class: "good", "partial", "bad" or "open"
+  std::string_view meaning;  ///< for the list of what the verdicts mean
+};
+
+VerdictStyle style_of(verification::Verdict verdict);
+
+}  // namespace wavecurve::reports

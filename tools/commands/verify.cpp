@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "claim.hpp"
+#include "commands.hpp"
+#include "reference.hpp"
+#include "run_claims.hpp"
+#include "terminal_table.hpp"
+#include "write_report.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace verification;
+
+struct VerifyOptions {
+  std::vector<std::string> only;
+  bool list = false;
+  bool bless = false;
+  fs::path output;
+  fs::path reference = fs::path(WAVECURVE_SOURCE_DIR) / "reports" / "reference" / "verdicts.json";
+};
+
+/// Beside the reference in a source tree, else where the user stands.
+fs::path default_output() {
+  const fs::path reports = fs::path(WAVECURVE_SOURCE_DIR) / "reports";
+  return fs::is_directory(reports) ? reports / "latest" : fs::path("report");
+}
+
+std::vector<Claim> chosen_claims(const std::vector<std::string>& only) {
+  if (only.empty()) return claims();
+  for (const std::string& id : only) {
+    if (std::ranges::find(claims(), id, &Claim::id) == claims().end()) {
+      throw std::invalid_argument(
+          fmt::format("--only {}: no such claim (wavecurve verify --list names them)", id));
+    }
+  }
+  std::vector<Claim> chosen;
+  std::ranges::copy_if(claims(), std::back_inserter(chosen), [&](const Claim& claim) {
+    return std::ranges::find(only, claim.id) != only.end();
+  });
+  return chosen;
+}
+
+void list_claims() {
+  std::size_t width = 0;
+  for (const Claim& claim : claims()) width = std::max(width, claim.id.size());
+  for (const Claim& claim : claims()) {
+    fmt::print("{:{}}  {} ({})\n", claim.id, width, claim.title, claim.location);
+  }
+}
+
+void show_progress(std::size_t finished, std::size_t total, const Claim& claim) {
+  fmt::print(stderr, "\r\033[K{} of {} claims: {}", finished, total, claim.id);
+  if (finished == total) fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+}
+
+/// The columns of the terminal, or 0 where the output is a file or a pipe.
+std::size_t terminal_width() {
+  winsize size{};
+  const bool known = isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
+  return known ? size.ws_col : 0;
+}
+
+void print_changes(const std::vector<Change>& changes, const fs::path& reference) {
+  fmt::print("\n{} since the blessed reference {}:\n",
+             changes.size() == 1 ? "1 change" : fmt::format("{} changes", changes.size()),
+             reference.string());
+  for (const Change& change : changes) {
+    fmt::print("  {}: {} was \"{}\", is \"{}\"\n", change.id, change.field, change.was, change.is);
+  }
+}
+
+void verify(const VerifyOptions& options, ExitCode& exit_code) {
+  const std::vector<Claim> chosen = chosen_claims(options.only);
+  const bool is_partial = !options.only.empty();
+  const auto reference =
+      options.bless ? std::vector<BlessedClaim>() : read_reference(options.reference);
+  // Made before the work is done, so that a place that cannot be written is known at once.
+  fs::create_directories(options.output);
+  const std::string date = reports::date_of_report();
+
+  const bool watched = isatty(STDERR_FILENO) != 0;
+  const auto results = run_claims(chosen, watched ? Progress(show_progress) : Progress());
+  reports::write_report({{}, date, WAVECURVE_VERSION, results}, options.output);
+  fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
+             (options.output / "index.html").string());
+
+  if (options.bless) {
+    write_reference(options.reference, results, is_partial);
+    fmt::print("blessed: {}\n", options.reference.string());
+    return;
+  }
+  const auto changes = compare(reference, results, is_partial);
+  if (changes.empty()) return;
+  print_changes(changes, options.reference);
+  exit_code = differs;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<VerifyOptions>();
+  options->output = default_output();
+  CLI::App* command = app.add_subcommand(
+      "verify", "Hold every table, figure and claim of the publication against own values");
+  command->add_option("--only", options->only, "Run only these claims")->type_name("ID");
+  command->add_flag("--list", options->list, "Name the claims and stop");
+  command->add_option("--output", options->output, "Directory of the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--bless", options->bless, "Make this run's verdicts and values the reference");
+  command->add_option("--reference", options->reference, "File of the blessed verdicts")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    if (options->list) {
+      list_claims();
+    } else {
+      verify(*options, exit_code);
+    }
+  });
+}
+
+}  // namespace wavecurve::tools

@@ -1,0 +1,118 @@
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/write_file.hpp"
+
+namespace wavecurve::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProgramRun {
+  int exit_code;
+  std::string out, err;
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class VerifyCommand : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(directory); }
+  void TearDown() override { fs::remove_all(directory); }
+
+  /// The program's `verify` with a reference and a report of this test's own.
+  ProgramRun verify(const std::string& arguments, const std::string& environment = "") const {
+    return run(environment + " '" WAVECURVE_PROGRAM "' verify --reference '" + reference.string() +
+               "' " + arguments);
+  }
+  ProgramRun verify_into_report(const std::string& arguments) const {
+    return verify("--output '" + report.string() + "' " + arguments);
+  }
+  ProgramRun run(const std::string& command) const {
+    const fs::path out = directory / "out", err = directory / "err";
+    const int status =
+        std::system((command + " >'" + out.string() + "' 2>'" + err.string() + "'").c_str());
+    return {WEXITSTATUS(status), io::read_file(out), io::read_file(err)};
+  }
+
+  const fs::path directory =
+      fs::temp_directory_path() / ("wavecurve_verify_" + std::to_string(getpid()));
+  const fs::path reference = directory / "verdicts.json";
+  const fs::path report = directory / "report";
+};
+
+TEST_F(VerifyCommand, ListsTheClaims) {
+  const ProgramRun list = run("'" WAVECURVE_PROGRAM "' verify --list");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_TRUE(has(list.out, "erratum-2-5"));
+  EXPECT_TRUE(has(list.out, "(Section 3.3, (3.15))"));
+}
+
+TEST_F(VerifyCommand, BlessesThenAgreesThenNamesWhatChanged) {
+  EXPECT_EQ(verify_into_report("--only erratum-2-5 erratum-3-16").exit_code, 1);
+  EXPECT_EQ(verify_into_report("--only erratum-2-5 erratum-3-16 --bless").exit_code, 0);
+  const ProgramRun same = verify_into_report("--only erratum-2-5");
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+  EXPECT_TRUE(has(same.out, "erratum-2-5  does-not-hold  ")) << same.out;
+  EXPECT_TRUE(has(same.out, "1 claim: 1 does-not-hold\n"));
+  EXPECT_EQ(same.err, "") << "no progress where nobody watches";
+
+  auto blessed = nlohmann::json::parse(io::read_file(reference));
+  blessed["claims"][0]["verdict"] = "holds";
+  io::write_file(reference, blessed.dump());
+  const ProgramRun changed = verify_into_report("--only erratum-2-5 erratum-3-16");
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_TRUE(has(changed.out, "erratum-2-5: verdict was \"holds\", is \"does-not-hold\""));
+  EXPECT_FALSE(has(changed.out, "erratum-3-16: "));
+}
+
+TEST_F(VerifyCommand, TwoRunsGiveTheSameBytesApartFromTheDate) {
+  const std::string arguments = "--bless --only erratum-3-15 --output ";
+  ASSERT_EQ(verify(arguments + (directory / "a").string(), "SOURCE_DATE_EPOCH=1").exit_code, 0);
+  ASSERT_EQ(verify(arguments + (directory / "b").string(), "SOURCE_DATE_EPOCH=1").exit_code, 0);
+  EXPECT_EQ(run("diff -r '" + (directory / "a").string() + "' '" + (directory / "b").string() + "'")
+                .exit_code,
+            0);
+  EXPECT_TRUE(fs::exists(directory / "a" / "figures" / "erratum-3-15-motion.gp"));
+}
+
+TEST_F(VerifyCommand, RefusesAnUnknownClaimInOneLine) {
+  const ProgramRun unknown = verify_into_report("--only no-such-claim");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(has(unknown.err, "no-such-claim") && has(unknown.err, "--list")) << unknown.err;
+  EXPECT_EQ(unknown.err.find('\n'), unknown.err.size() - 1);
+  EXPECT_EQ(unknown.out, "");
+}
+
+TEST_F(VerifyCommand, RefusesABrokenReference) {
+  io::write_file(reference, "not json");
+  EXPECT_EQ(verify_into_report("--only erratum-2-5").exit_code, 2);
+}
+
+TEST_F(VerifyCommand, SaysWhereTheReportCannotBeWritten) {
+  io::write_file(directory / "file", "");
+  const ProgramRun unwritable =
+      verify("--only erratum-2-5 --output '" + (directory / "file" / "report").string() + "'");
+  EXPECT_EQ(unwritable.exit_code, 3);
+  EXPECT_TRUE(has(unwritable.err, "file/report")) << unwritable.err;
+}
+
+TEST_F(VerifyCommand, NamesThePackageOfAMissingGnuplot) {
+  const ProgramRun missing =
+      verify("--only erratum-3-15 --output '" + report.string() + "'", "PATH=/nonexistent");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_TRUE(has(missing.err, "gnuplot-nox")) << missing.err;
+}
+
+}  // namespace
+}  // namespace wavecurve::tools
