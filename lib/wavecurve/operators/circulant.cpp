@@ -1,0 +1,53 @@
+#include "wavecurve/operators/circulant.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "wavecurve/transform/plain_transform.hpp"
+
+namespace wavecurve {
+
+int checked_log2(Eigen::Index samples) {
+  constexpr int largest = 24;
+  if (samples < 1 || samples > (Eigen::Index{1} << largest) || (samples & (samples - 1)) != 0) {
+    throw std::invalid_argument(
+        fmt::format("samples is {}, but must be a power of two from 1 to 2^{}", samples, largest));
+  }
+  return std::countr_zero(static_cast<std::uint64_t>(samples));
+}
+
+Eigen::VectorXd circulant_column(const Filter<double>& mu, Eigen::Index samples, int d) {
+  const double scale = std::ldexp(1.0, checked_log2(samples) * d);
+  Eigen::VectorXd column = scale * plain::periodized(mu, samples);
+  // The sums at r and -r have the same terms in another order; one of them is taken for both.
+  const double sign = d % 2 == 0 ? 1 : -1;
+  if (d % 2 != 0) column[0] = column[samples / 2] = 0;
+  for (Eigen::Index r = 1; r < samples - r; ++r) column[samples - r] = sign * column[r];
+  return column;
+}
+
+Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index samples, int d) {
+  const double scale = std::ldexp(1.0, checked_log2(samples) * d);
+  if (d % 2 != 0) {
+    throw std::invalid_argument(fmt::format("d is {}, but eigenvalues need an even order", d));
+  }
+  const double step = std::numbers::pi / static_cast<double>(samples);
+  Eigen::VectorXd eigenvalues(samples);
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    // cos(2 t) = 1 - 2 sin(t)^2: for d > 0 the ones sum to zero, and what is left does not cancel.
+    double sum = 0;
+    for (int l = mu.first_index; l <= mu.last_index(); ++l) {
+      const double sine = std::sin(step * static_cast<double>(k * l % samples));
+      sum += mu[l] * (d == 0 ? 1 - 2 * sine * sine : -2 * sine * sine);
+    }
+    eigenvalues[k] = scale * sum;
+  }
+  return eigenvalues;
+}
+
+}  // namespace wavecurve

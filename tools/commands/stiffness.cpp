@@ -1,0 +1,107 @@
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/matrix_market.hpp"
+#include "wavecurve/io/matrix_picture.hpp"
+#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/operators/circulant.hpp"
+#include "wavecurve/operators/matrix_measures.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
+#include "wavecurve/operators/spectrum.hpp"
+#include "wavecurve/transform/bands.hpp"
+
+#include "commands.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+struct Options {
+  std::string name, output;
+  long samples = 64;
+  int levels = -1;  ///< -1: all
+};
+
+void check_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (!output.empty() && ending != ".mtx" && ending != ".svg") {
+    throw std::invalid_argument(fmt::format(
+        "output is '{}', but must end in .mtx (MatrixMarket) or .svg (picture)", output));
+  }
+}
+
+void print_measures(const FilterBank<double>& bank, const Eigen::SparseMatrix<double>& k,
+                    int levels) {
+  const double entries = static_cast<double>(k.rows()) * static_cast<double>(k.cols());
+  fmt::print("stiffness K of {}, e_0 = 1, unit parameter interval\n", bank.name);
+  fmt::print("samples                       {}\n", k.rows());
+  fmt::print("levels                        {}\n", levels);
+  fmt::print("non-zeros                     {} ({:.3g} % of the entries)\n", k.nonZeros(),
+             100 * static_cast<double>(k.nonZeros()) / entries);
+  fmt::print("symmetry error                {:.3g}\n", symmetry_error(k));
+  fmt::print("off-diagonal energy           {:.2f} % of the sum of squares\n",
+             100 * off_diagonal_energy(k));
+}
+
+void print_spectrum(const ExtremeEigenvalues& ends, double first_vibration) {
+  fmt::print("smallest non-zero eigenvalue  {:.8g}\n", ends.smallest);
+  fmt::print("largest eigenvalue            {:.8g}\n", ends.largest);
+  fmt::print("condition number              {:.6g}\n", ends.condition_number());
+  fmt::print("first vibration eigenvalue    {:.8g} (of K x = lambda M x; tends to (2 pi)^2)\n",
+             first_vibration);
+}
+
+std::string picture(const FilterBank<double>& bank, const Eigen::SparseMatrix<double>& k,
+                    int levels) {
+  const std::string title =
+      fmt::format("Stiffness K of {}, {} x {}, levels: {}", bank.name, k.rows(), k.cols(), levels);
+  return io::matrix_picture(
+      k, band_borders(k.rows(), levels),
+      {title,
+       fmt::format("Magnitudes of the entries in global-to-local order; {} of them are not zero.",
+                   k.nonZeros()),
+       "magnitude of the entry (e_0 = 1, unit interval)"});
+}
+
+void run(const Options& options) {
+  check_ending(options.output);
+  const FilterBank<double> bank = find_filter_bank<double>(options.name);
+  if (options.samples < 2) {
+    throw std::invalid_argument(
+        fmt::format("samples is {}, but must be a power of two from 2 on", options.samples));
+  }
+  const int all_levels = checked_log2(options.samples);
+  const int levels = options.levels < 0 ? all_levels : options.levels;
+  const Eigen::SparseMatrix<double> k = stiffness(bank, options.samples, levels);
+  const ExtremeEigenvalues ends = extreme_eigenvalues(bank, options.samples, levels, 1);
+  const double first_vibration = vibration_eigenvalues(bank, options.samples)[1];
+  if (options.output.ends_with(".mtx")) io::write_matrix_market(options.output, k);
+  if (options.output.ends_with(".svg")) io::write_file(options.output, picture(bank, k, levels));
+  print_measures(bank, k, levels);
+  print_spectrum(ends, first_vibration);
+}
+
+}  // namespace
+
+void add_stiffness_command(CLI::App& app, ExitCode&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "stiffness", "The stiffness matrix in the multiscale basis: measures, matrix, picture");
+  command->add_option("NAME", options->name, "Filter, such as db4, coif2, bspline4.4")->required();
+  command->add_option("--samples", options->samples, "Number of samples, a power of two")
+      ->capture_default_str();
+  command
+      ->add_option("--levels", options->levels,
+                   "Levels of decomposition, 0 for the single-scale matrix; all if not given")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--output", options->output,
+                      "Write the matrix (.mtx, MatrixMarket) or its picture (.svg)");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace wavecurve::tools
