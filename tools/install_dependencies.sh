@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing. The one list of what the project needs.
+set -euo pipefail
+
+usage='usage: tools/install_dependencies.sh program|tests
+Installs, through apt, the packages that are missing: those that the program is built and run with,
+or also those of the tests and benchmarks. Installs nothing, and asks no server, where all are there.
+Exit codes: 0 all there, 2 bad usage, 3 something is missing and cannot be installed.'
+
+# A package, and what shows that it is there, however it came: one of the programs, headers or
+# Python modules named. FLINT 3 contains Arb, so there libflint-arb-dev neither exists nor is missed.
+program_packages='
+g++                   program:g++
+cmake                 program:cmake
+ninja-build           program:ninja
+libeigen3-dev         header:eigen3/Eigen/Core
+libspectra-dev        header:Spectra/SymEigsSolver.h
+libboost-dev          header:boost/version.hpp
+libflint-dev          header:flint/fmpq_mat.h
+libflint-arb-dev      header:flint/arb.h header:arb.h
+libfmt-dev            header:fmt/format.h
+nlohmann-json3-dev    header:nlohmann/json.hpp
+libcli11-dev          header:CLI/CLI.hpp
+gnuplot-nox           program:gnuplot
+'
+test_packages='
+libgtest-dev          header:gtest/gtest.h
+librapidcheck-dev     header:rapidcheck.h
+libbenchmark-dev      header:benchmark/benchmark.h
+libgsl-dev            header:gsl/gsl_wavelet.h
+python3               program:/usr/bin/python3
+python3-pywt          module:pywt
+'
+
+say() { printf '%s\n' "install_dependencies: $*"; }
+
+fail() {
+  printf '%s\n' "install_dependencies: $*" >&2
+  exit 3
+}
+
+is_there() {
+  local name=${1#*:}
+  case $1 in
+    program:*) command -v "$name" >/dev/null ;;
+    header:*) [ -e "/usr/include/$name" ] || [ -e "/usr/local/include/$name" ] ;;
+    # Debian's own interpreter, for its modules are invisible to another one that comes first in PATH.
+    module:*) /usr/bin/python3 -c "import $name" 2>/dev/null ;;
+  esac
+}
+
+# The packages of the list on standard input that nothing shows to be there.
+missing_packages() {
+  local package signs sign
+  while read -r package signs; do
+    [ -n "$package" ] || continue
+    for sign in $signs; do
+      if is_there "$sign"; then continue 2; fi
+    done
+    printf '%s\n' "$package"
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    env DEBIAN_FRONTEND=noninteractive "$@" </dev/null
+  else
+    sudo env DEBIAN_FRONTEND=noninteractive "$@" </dev/null
+  fi
+}
+
+install_packages() {
+  local apt=(apt-get -q -y -o DPkg::Lock::Timeout=300) available=() package
+  say "apt-get update"
+  as_root "${apt[@]}" update || say "apt-get update failed; going on with the package lists at hand"
+  for package in "$@"; do
+    if [ "$package" = libflint-arb-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
+      continue
+    fi
+    available+=("$package")
+  done
+  say "apt-get install ${available[*]}"
+  as_root "${apt[@]}" install --no-install-recommends "${available[@]}" ||
+    fail "apt-get could not install: ${available[*]}"
+}
+
+list=$program_packages
+case ${1-} in
+  program) ;;
+  tests) list+=$test_packages ;;
+  --help | -h)
+    printf '%s\n' "$usage"
+    exit 0
+    ;;
+  *)
+    printf '%s\n' "$usage" >&2
+    exit 2
+    ;;
+esac
+
+mapfile -t missing < <(missing_packages <<<"$list")
+if [ ${#missing[@]} -eq 0 ]; then
+  say "nothing is missing"
+  exit 0
+fi
+say "missing: ${missing[*]}"
+if ! command -v apt-get >/dev/null; then
+  fail "this system has no apt-get; install what these Debian packages hold: ${missing[*]}"
+fi
+if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+  fail "neither root nor sudo; let root run: apt-get install ${missing[*]}"
+fi
+install_packages "${missing[@]}"
+mapfile -t missing < <(missing_packages <<<"$list")
+[ ${#missing[@]} -eq 0 ] || fail "still missing after the installation: ${missing[*]}"
