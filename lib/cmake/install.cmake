@@ -1,0 +1,19 @@
+# cmake --install: the two libraries, their headers, and the package that find_package(wavecurve) finds.
+# Each library is an export set of its own, so that a user of the numerics needs no FLINT.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wavecurve)
+
+install(TARGETS wavecurve EXPORT wavecurve-targets)
+install(TARGETS wavecurve_certified EXPORT wavecurve-certified-targets)
+foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets)
+  install(EXPORT ${set} NAMESPACE wavecurve:: DESTINATION ${package_dir})
+endforeach()
+install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+
+configure_package_config_file(cmake/wavecurve-config.cmake.in wavecurve-config.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(wavecurve-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/wavecurve-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/wavecurve-config-version.cmake cmake/FindFlint.cmake
+        DESTINATION ${package_dir})
