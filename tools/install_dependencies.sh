@@ -61,26 +61,24 @@ missing_packages() {
   done
 }
 
-as_root() {
-  if [ "$(id -u)" -eq 0 ]; then
-    env DEBIAN_FRONTEND=noninteractive "$@" </dev/null
-  else
-    sudo env DEBIAN_FRONTEND=noninteractive "$@" </dev/null
-  fi
+apt_get() {
+  local command=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y)
+  command+=(-o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+  [ "$(id -u)" -eq 0 ] || command=(sudo "${command[@]}")
+  say "${command[*]} $*"
+  "${command[@]}" "$@" </dev/null
 }
 
 install_packages() {
-  local apt=(apt-get -q -y -o DPkg::Lock::Timeout=300) available=() package
-  say "apt-get update"
-  as_root "${apt[@]}" update || say "apt-get update failed; going on with the package lists at hand"
+  local available=() package
+  apt_get update || say "apt-get update failed; going on with the package lists at hand"
   for package in "$@"; do
     if [ "$package" = libflint-arb-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
       continue
     fi
     available+=("$package")
   done
-  say "apt-get install ${available[*]}"
-  as_root "${apt[@]}" install --no-install-recommends "${available[@]}" ||
+  apt_get install --no-install-recommends "${available[@]}" ||
     fail "apt-get could not install: ${available[*]}"
 }
 

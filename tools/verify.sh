@@ -15,18 +15,23 @@ case ${1-} in
 esac
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
-cd -- "$root"
 
 step() {
   printf 'verify.sh: %s\n' "$*"
   "$@"
 }
 
-tools/install_dependencies.sh program
-# A tree that is configured stays as it is (the build itself renews it); a new one needs no packages of
-# the tests.
-if [ ! -e build/release/build.ninja ]; then
-  step cmake --preset release -DWAVECURVE_TESTS=OFF -DWAVECURVE_BENCHMARKS=OFF || exit 1
-fi
-step cmake --build --preset release --target wavecurve_program -j "$(nproc)" || exit 1
-step build/release/bin/wavecurve verify "$@"
+build() {
+  cd -- "$root" || return 1
+  # A tree that is configured stays as it is (the build itself renews it); a new one needs no packages
+  # of the tests.
+  if [ ! -e build/release/build.ninja ]; then
+    step cmake --preset release -DWAVECURVE_TESTS=OFF -DWAVECURVE_BENCHMARKS=OFF || return 1
+  fi
+  step cmake --build --preset release --target wavecurve_program -j "$(nproc)" || return 1
+}
+
+"$root/tools/install_dependencies.sh" program
+(build) || exit 1
+# From where the user stands, for paths among the arguments.
+step "$root/build/release/bin/wavecurve" verify "$@"
