@@ -73,9 +73,7 @@ install_packages() {
   local available=() package
   apt_get update || say "apt-get update failed; going on with the package lists at hand"
   for package in "$@"; do
-    if [ "$package" = libflint-arb-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
-      continue
-    fi
+    if [ "$package" = libflint-arb-dev ] && [ -z "$(apt-cache madison "$package")" ]; then continue; fi
     available+=("$package")
   done
   apt_get install --no-install-recommends "${available[@]}" ||
