@@ -34,7 +34,6 @@ case $preset in
 esac
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-jobs=$(nproc)
 
 step() {
   printf 'test.sh: %s\n' "$*"
@@ -43,5 +42,5 @@ step() {
 
 tools/install_dependencies.sh tests
 step cmake --preset "$preset" || exit 1
-step cmake --build --preset "$preset" -j "$jobs" || exit 1
-step ctest --preset "$preset" -j "$jobs" || exit 1
+step cmake --build --preset "$preset" -j "$(nproc)" || exit 1
+step ctest --preset "$preset" -j "$(nproc)" || exit 1

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Tests the scripts without installing anything: on a machine made up of a folder of commands.
+set -uo pipefail
+tools=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+machine=$(mktemp -d)
+trap 'rm -rf -- "$machine"' EXIT
+failures=0
+
+# The commands of a machine without a compiler.
+for name in bash env cat dirname; do ln -s "$(command -v $name)" "$machine/$name"; done
+
+fake() { # NAME LINE: a command of the machine
+  printf '#!/usr/bin/env bash\n%s\n' "$2" >"$machine/$1"
+  chmod +x "$machine/$1"
+}
+
+expect() { # EXIT-CODE PART-OF-OUTPUT COMMAND...
+  local code=$1 part=$2 output
+  shift 2
+  output=$("$@" 2>&1 </dev/null)
+  local actual=$?
+  if [ $actual -ne "$code" ] || [[ $output != *"$part"* ]]; then
+    printf 'FAILED: %s\n  expected exit code %s and "%s"\n  got %s: %s\n' \
+      "$*" "$code" "$part" "$actual" "$output"
+    failures=$((failures + 1))
+  fi
+}
+
+# shellcheck disable=SC2317 # reached through expect
+on_the_machine() { PATH=$machine "$machine/bash" "$@"; }
+
+fake id 'echo 1000'
+expect 3 'no apt-get; install what these Debian packages hold: g++ cmake ninja-build' \
+  on_the_machine "$tools/install_dependencies.sh" program
+expect 3 'no apt-get' on_the_machine "$tools/test.sh"
+expect 3 'no apt-get' on_the_machine "$tools/verify.sh"
+
+fake apt-get 'echo "apt-get called: $*"; exit 1'
+fake apt-cache 'echo "some version"'
+expect 3 'neither root nor sudo; let root run: apt-get install g++' \
+  on_the_machine "$tools/install_dependencies.sh" program
+
+fake sudo 'echo "as root: $*"; "$@"'
+expect 3 'as root: env DEBIAN_FRONTEND=noninteractive apt-get' \
+  on_the_machine "$tools/install_dependencies.sh" program
+expect 3 'could not install: g++' on_the_machine "$tools/install_dependencies.sh" tests
+
+fake id 'echo 0'
+expect 3 'apt-get called' on_the_machine "$tools/install_dependencies.sh" program
+
+# An apt-get that brings the commands: what it was asked for is there afterwards, and not asked for again.
+# shellcheck disable=SC2016 # expanded by the fake command
+fake apt-get 'for name in g++ cmake ninja gnuplot; do echo >"${0%/*}/$name"; done; ${0%/*}/chmod +x "${0%/*}"/*'
+ln -s "$(command -v chmod)" "$machine/chmod"
+expect 0 'apt-get' on_the_machine "$tools/install_dependencies.sh" program
+fake apt-get 'echo "called again"; exit 1'
+expect 0 'install_dependencies: nothing is missing' \
+  on_the_machine "$tools/install_dependencies.sh" program
+
+expect 2 "--preset 'fast': release, debug, sanitize or coverage is accepted" \
+  "$tools/test.sh" --preset fast
+expect 2 'unknown argument --fast' "$tools/test.sh" --fast
+expect 2 'usage' "$tools/install_dependencies.sh"
+expect 0 'usage: tools/test.sh' "$tools/test.sh" --help
+expect 0 'usage: tools/verify.sh' "$tools/verify.sh" --help
+
+[ $failures -eq 0 ] && echo "all scripts behave as described"
+exit $failures
