@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,32 +46,41 @@ std::string digits_text(const PrintForm& form) {
 
 // --- certified, form, undecided: what needs no search ---
 
+bool is_proved_negative(const TrueValue& value) {
+  const auto is_negative = [](const certified::Ball& enclosure) {
+    if (certainly_less(enclosure, certified::Ball(0))) return Decision::yes;
+    return enclosure.contains_zero() && !enclosure.is_exact() ? Decision::undecided : Decision::no;
+  };
+  return decide(value, is_negative) == Decision::yes;
+}
+
+bool is_tie(const TrueValue& value, const PrintedNumber& print) {
+  return value.exact &&
+         (*value.exact - print.value()).abs() == print.unit() / certified::Rational(2);
+}
+
+void set(CheckedRow& row, Verdict verdict, std::string detail) {
+  row.verdict = verdict;
+  row.detail = std::move(detail);
+}
+
+std::string other_form_text(const PrintedNumber& print, const ColumnForm& column) {
+  return fmt::format("the right value with {}; its column has {}", digits_text(form_of(print)),
+                     digits_text(column.form));
+}
+
 void judge_right(Row& row, const ColumnForm& column) {
   const PrintedNumber& print = row.result.entry.number;
-  row.result.verdict = Verdict::certified;
   if (print.is_bare_zero() && row.value.is_exactly_zero()) {
-    row.result.detail = "exactly zero";
-    return;
-  }
-  const PrintForm own = form_of(print);
-  if (column.established && own != column.form) {
-    row.result.verdict = Verdict::form;
-    row.result.detail = fmt::format("the right value with {}; its column has {}", digits_text(own),
-                                    digits_text(column.form));
-  } else if (print.is_zero() && print.negative) {
-    const auto is_negative = [](const certified::Ball& enclosure) {
-      if (certainly_less(enclosure, certified::Ball(0))) return Decision::yes;
-      return enclosure.contains_zero() && !enclosure.is_exact() ? Decision::undecided
-                                                                : Decision::no;
-    };
-    if (decide(row.value, is_negative) != Decision::yes) {
-      row.result.verdict = Verdict::form;
-      row.result.detail = "the right value with a sign that it does not have";
-    }
-  } else if (row.value.exact &&
-             (*row.value.exact - print.value()).abs() + (*row.value.exact - print.value()).abs() ==
-                 print.unit()) {
-    row.result.detail = "an exact tie; either neighbour is a correct rounding";
+    set(row.result, Verdict::certified, "exactly zero");
+  } else if (column.established && form_of(print) != column.form) {
+    set(row.result, Verdict::form, other_form_text(print, column));
+  } else if (print.is_zero() && print.negative && !is_proved_negative(row.value)) {
+    set(row.result, Verdict::form, "the right value with a sign that it does not have");
+  } else if (is_tie(row.value, print)) {
+    set(row.result, Verdict::certified, "an exact tie; either neighbour is a correct rounding");
+  } else {
+    set(row.result, Verdict::certified, "");
   }
 }
 
@@ -89,17 +99,14 @@ void judge_alone(Row& row, const ColumnForm& column) {
       judge_right(row, column);
       return;
     case Decision::undecided:
-      row.result.verdict = Verdict::undecided;
-      row.result.detail =
-          fmt::format("the rounding is still open at {} bits", precision_limit_bits);
+      set(row.result, Verdict::undecided,
+          fmt::format("the rounding is still open at {} bits", precision_limit_bits));
       return;
     case Decision::no:
       break;
   }
   if (is_right_number(row, column)) {
-    row.result.verdict = Verdict::form;
-    row.result.detail = fmt::format("the right value with {}; its column has {}",
-                                    digits_text(form_of(print)), digits_text(column.form));
+    set(row.result, Verdict::form, other_form_text(print, column));
     return;
   }
   row.wrong = true;

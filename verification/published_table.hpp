@@ -50,7 +50,7 @@ struct PublishedTable {
 /// Whether filter and index exist is checked where the filter is known (check_table.hpp).
 PublishedTable parse_published_table(std::string_view text, const std::string& file);
 
-/// Throws also std::system_error if the file cannot be read.
+/// Throws also as io::read_file does.
 PublishedTable read_published_table(const std::filesystem::path& path);
 
 }  // namespace wavecurve::verification

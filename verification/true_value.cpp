@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
-#include <system_error>
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
@@ -175,11 +174,7 @@ TrueValue FilterValues::value(Quantity quantity, int index) {
 }
 
 certified::FilterDefinition find_table_filter(const std::string& name) {
-  try {
-    return io::load_filter(name);
-  } catch (const std::system_error& unreadable) {
-    throw std::invalid_argument(unreadable.what());  // the table names a file that is not there
-  }
+  return io::load_filter(name);
 }
 
 }  // namespace wavecurve::verification

@@ -131,8 +131,7 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
       ->add_option("table", options->table,
                    "comma-separated text with the columns filter,quantity,index,printed;\n"
                    "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
-      ->required()
-      ->check(CLI::ExistingFile);
+      ->required();
   command->add_option("--format", options->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
