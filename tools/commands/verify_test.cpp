@@ -1,9 +1,5 @@
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,25 +7,19 @@
 #include "wavecurve/io/read_file.hpp"
 #include "wavecurve/io/write_file.hpp"
 
+#include "program_test.hpp"
+
 namespace wavecurve::tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct ProgramRun {
-  int exit_code;
-  std::string out, err;
-};
-
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-class VerifyCommand : public testing::Test {
+class VerifyCommand : public ProgramTest {
  protected:
-  void SetUp() override { fs::create_directories(directory); }
-  void TearDown() override { fs::remove_all(directory); }
-
   /// The program's `verify` with a reference and a report of this test's own.
   ProgramRun verify(const std::string& arguments, const std::string& environment = "") const {
     return run(environment + " '" WAVECURVE_PROGRAM "' verify --reference '" + reference.string() +
@@ -38,15 +28,8 @@ class VerifyCommand : public testing::Test {
   ProgramRun verify_into_report(const std::string& arguments) const {
     return verify("--output '" + report.string() + "' " + arguments);
   }
-  ProgramRun run(const std::string& command) const {
-    const fs::path out = directory / "out", err = directory / "err";
-    const int status =
-        std::system((command + " >'" + out.string() + "' 2>'" + err.string() + "'").c_str());
-    return {WEXITSTATUS(status), io::read_file(out), io::read_file(err)};
-  }
 
-  const fs::path directory =
-      fs::temp_directory_path() / ("wavecurve_verify_" + std::to_string(getpid()));
+  const fs::path directory = folder_;
   const fs::path reference = directory / "verdicts.json";
   const fs::path report = directory / "report";
 };
