@@ -69,7 +69,7 @@ std::vector<std::string> columns(std::vector<std::string> first) {
 Chart by_level(const char* name, const char* id, Shares& shares) {
   const FilterBank<double> bank = find_filter_bank<double>(name);
   Chart chart;
-  chart.id = std::string("off-diagonal-energy-") + id;
+  chart.id = std::string("off-diagonal-energy-") + name;
   chart.data = {fmt::format("Share of the off-diagonal entries; {}, N = {}", id, figure_samples),
                 columns({"wavelet levels"}),
                 {}};
