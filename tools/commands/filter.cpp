@@ -83,6 +83,15 @@ std::string symmetry_text(const Filter<Ball>& filter) {
   return {};
 }
 
+/// Null where the taps of a user's filter have too few digits to tell.
+ordered_json exponent_json(const FilterDefinition& definition) {
+  try {
+    return short_decimal(sobolev_exponent(definition));
+  } catch (const std::domain_error&) {
+    return nullptr;
+  }
+}
+
 ordered_json riesz_json(const FilterDefinition& definition) {
   const auto bounds = certified::riesz_bounds(definition);
   if (!bounds) return nullptr;
@@ -101,8 +110,8 @@ ordered_json diagnostics(const FilterDefinition& definition) {
           {"support", {bank.synthesis_low.first_index, bank.synthesis_low.last_index()}},
           {"dual_support", {bank.analysis_low.first_index, bank.analysis_low.last_index()}},
           {"wavelet_support", {psi.first, psi.second}},
-          {"sobolev_exponent", short_decimal(sobolev_exponent(definition))},
-          {"dual_sobolev_exponent", short_decimal(sobolev_exponent(dual))},
+          {"sobolev_exponent", exponent_json(definition)},
+          {"dual_sobolev_exponent", exponent_json(dual)},
           {"riesz_bounds", riesz_json(definition)},
           {"dual_riesz_bounds", riesz_json(dual)},
           {"symmetry", symmetry_text(bank.synthesis_low)},
@@ -145,7 +154,7 @@ std::string as_text(const FilterDefinition& definition, const std::vector<NamedF
     for (char& c : label) c = c == '_' ? ' ' : c;
     std::string shown = value.dump();
     std::erase(shown, '"');
-    text += fmt::format("  {:<24}{}\n", label, value.is_null() ? "none" : shown);
+    text += fmt::format("  {:<24}{}\n", label, value.is_null() ? "not known, or none" : shown);
   }
   const bool orthonormal = facts["orthonormal"];
   for (const auto& [name, filter] : filters) {

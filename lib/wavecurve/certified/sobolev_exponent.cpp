@@ -82,8 +82,10 @@ Ball exponent_of(const FilterDefinition& definition, int squarings) {
     try {
       const FilterBank<Ball> bank = definition.bank(bits);
       return sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings);
-    } catch (const std::domain_error&) {
-      if (bits >= highest_bits) throw;
+    } catch (const std::domain_error& error) {
+      if (bits < highest_bits) continue;
+      throw std::domain_error("the Sobolev exponent of filter " + definition.name +
+                              " is not known; its taps have too few digits: " + error.what());
     }
   }
 }

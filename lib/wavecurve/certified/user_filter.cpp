@@ -13,8 +13,10 @@ namespace {
 
 constexpr int most_taps = 1000, furthest_index = 10000;
 
-/// Half a unit of the last printed digit: "0.125" -> 0.0005, "3e-4" -> 0.00005.
+/// Half a unit of the last printed digit: "0.125" -> 0.0005, "3e-4" -> 0.00005. A bare 0 is exact:
+/// it says that the tap is absent.
 Rational half_unit(const std::string& decimal) {
+  if (decimal == "0") return Rational(0);
   std::string unit;
   std::size_t i = 0;
   for (; i < decimal.size() && decimal[i] != 'e' && decimal[i] != 'E'; ++i) {
