@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/matrix_market.hpp"
 #include "wavecurve/io/matrix_picture.hpp"
 #include "wavecurve/io/write_file.hpp"
@@ -70,7 +70,7 @@ std::string picture(const FilterBank<double>& bank, const Eigen::SparseMatrix<do
 
 void run(const Options& options) {
   check_ending(options.output);
-  const FilterBank<double> bank = find_filter_bank<double>(options.name);
+  const FilterBank<double> bank = io::load_filter_bank(options.name);
   if (options.samples < 2) {
     throw std::invalid_argument(
         fmt::format("samples is {}, but must be a power of two from 2 on", options.samples));
@@ -92,7 +92,8 @@ void add_stiffness_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "stiffness", "The stiffness matrix in the multiscale basis: measures, matrix, picture");
-  command->add_option("NAME", options->name, "Filter, such as db4, coif2, bspline4.4")->required();
+  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
+      ->required();
   command->add_option("--samples", options->samples, "Number of samples, a power of two")
       ->capture_default_str();
   command

@@ -10,4 +10,7 @@ namespace wavecurve::io {
 /// file (io/filter_json.hpp). Throws as those do. Part of the link target wavecurve::certified.
 certified::FilterDefinition load_filter(const std::string& name_or_path);
 
+/// The same in double precision: the library's tables for a name, the nearest doubles for a file.
+FilterBank<double> load_filter_bank(const std::string& name_or_path);
+
 }  // namespace wavecurve::io
