@@ -35,6 +35,13 @@ std::size_t braced_length(std::string_view text) {
   return 0;
 }
 
+/// The length of ".14" at the front of the text; 0 if there is no such thing.
+std::size_t fraction_length(std::string_view text) {
+  if (text.size() < 2 || text[0] != '.' || !is_digit(text[1])) return 0;
+  const auto end = std::find_if_not(text.begin() + 1, text.end(), is_digit);
+  return static_cast<std::size_t>(end - text.begin());
+}
+
 /// The length of the index or exponent that the text starts with; 0 if there is none.
 std::size_t script_length(std::string_view text) {
   if (text.starts_with('{')) return braced_length(text);
@@ -42,7 +49,10 @@ std::size_t script_length(std::string_view text) {
   const auto end = std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(sign), text.end(),
                                     [](char c) { return is_word(c) || !is_ascii(c); });
   const auto length = static_cast<std::size_t>(end - text.begin());
-  return length == sign ? 0 : length;
+  if (length == sign) return 0;
+  const bool is_number =
+      std::all_of(text.begin() + static_cast<std::ptrdiff_t>(sign), end, is_digit);
+  return is_number ? length + fraction_length(text.substr(length)) : length;
 }
 
 }  // namespace

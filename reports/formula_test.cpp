@@ -10,6 +10,7 @@ namespace {
 TEST(Formula, SetsIndicesAndExponents) {
   EXPECT_EQ(formula_html("c_n^{M_f} + 1"), "c<sub>n</sub><sup>M<sub>f</sub></sup> + 1");
   EXPECT_EQ(formula_html("C^-1 ρ^2"), "C<sup>-1</sup> ρ<sup>2</sup>");
+  EXPECT_EQ(formula_html("like N^1.14."), "like N<sup>1.14</sup>.");
   EXPECT_EQ(formula_html("10^-12, (a + b)^2, |x|_F, K_ij"),
             "10<sup>-12</sup>, (a + b)<sup>2</sup>, |x|<sub>F</sub>, K<sub>ij</sub>");
   EXPECT_EQ(formula_html("Σ_n μ_l"), "Σ<sub>n</sub> μ<sub>l</sub>");

@@ -90,7 +90,7 @@ figure svg {
 figcaption { margin-top: .5rem; max-width: 46rem; }
 .scroll { overflow-x: auto; margin: 1rem 0 1.5rem; max-width: 100%; }
 .scroll table { overflow-wrap: normal; min-width: min(100%, 34rem); }
-.long { max-height: 26rem; overflow-y: auto; border-bottom: 1px solid var(--line); }
+.long { max-height: 40rem; overflow-y: auto; border-bottom: 1px solid var(--line); }
 .long thead th { position: sticky; top: 0; background: var(--ground); }
 .back { font-size: .875rem; }
 @media (max-width: 40rem) {

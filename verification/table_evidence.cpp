@@ -76,8 +76,10 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   }
   chart.script =
       "set logscale y\n"
+      "set yrange [1e-16:*]\n"  // a print with many more decimals than its column would squeeze the
+                                // rest
       "set format y '10^{%L}'\n"
-      "set xlabel 'entry'\n"
+      "set xlabel 'entry of the table'\n"
       "set ylabel '|print - true value|'\n"
       "set xtics rotate by -60 noenhanced font ',9'\n"
       "set grid y\n"

@@ -68,7 +68,7 @@ std::vector<double> stiffness_by_level(const std::string& name) {
 
 Table exponents() {
   Table table{"Sobolev exponents s of orthonormal families; stiffness needs s > 1",
-              {"filter", "s (certified)", "stiffness mu_0"},
+              {"filter", "s (certified)", "stiffness μ_0"},
               {}};
   for (const char* name : {"db1", "db2", "db3", "db4", "sym4", "coif1", "coif2"}) {
     const auto definition = certified::find_filter(name);
@@ -87,7 +87,7 @@ Outcome evaluate() {
   const auto d4 = stiffness_by_level("db2"), d6 = stiffness_by_level("db3");
   Chart chart{
       "stiffness-of-d4",
-      {"Integral of the squared difference quotient of phi, by spacing 2^-level",
+      {"Integral of the squared difference quotient of φ, by spacing 2^-level",
        {"level", "D4", "D6"},
        {}},
       "set xlabel 'level (spacing 2^{-level})'\n"
@@ -108,7 +108,7 @@ Outcome evaluate() {
   outcome.verdict = refused ? Verdict::does_not_hold : Verdict::holds;
   outcome.own_value = fmt::format("D4: exponent {}, stiffness infinite", *round_to_digits(s, 4));
   outcome.summary = fmt::format(
-      "The integrals of phi' phi' exist only for a Sobolev exponent above 1. Haar's and D4 are "
+      "The integrals of φ' φ' exist only for a Sobolev exponent above 1. Haar's and D4 are "
       "orthonormal and have none: refining the grid once more adds {:.3f} to D4's energy at level "
       "{}, "
       "as at every level before, and {:.1e} to D6's.",

@@ -19,7 +19,7 @@ Outcome evaluate() {
   const auto mu = certified::exact_connection_coefficients(definition, 1, 1)->mu;
   const auto a = exact_reduced_system(definition.exact->synthesis);
   Table choices{"D8: the equation of index l replaced by the moment condition",
-                {"l", "its weight l^2 in the null combination", "system", "mu_0"},
+                {"l", "its weight l^2 in the null combination", "system", "μ_0"},
                 {}};
   int regular = 0, right = 0;
   bool first_is_singular = false;
@@ -47,7 +47,7 @@ Outcome evaluate() {
 const RegisterClaim registered({"dropped-equation",
                                 "Which equation the scale condition may replace",
                                 "Section 3.2, below (3.11)",
-                                "we need another equation to determine the scale of mu", evaluate});
+                                "we need another equation to determine the scale of μ", evaluate});
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// "the mass matrix M = rho I" (section 3.2), "by using the orthogonality property of the scaling
+// "the mass matrix M = ρ I" (section 3.2), "by using the orthogonality property of the scaling
 // and wavelet functions"; the publication also uses the biorthogonal cubic B-splines, which have
 // none.
 #include <algorithm>
@@ -28,7 +28,7 @@ double distance_to_identity(const FilterBank<double>& bank, int levels) {
 
 Outcome evaluate() {
   Table table{
-      fmt::format("Largest entry of |M - I|, rho = 1, and the eigenvalues of M; N = {}", samples),
+      fmt::format("Largest entry of |M - I|, ρ = 1, and the eigenvalues of M; N = {}", samples),
       {"filter", "orthonormal", "single scale", "two levels", "all levels",
        "smallest eigenvalue, all levels", "largest"},
       {}};
@@ -66,7 +66,7 @@ Outcome evaluate() {
       "families",
       tolerance, smallest_other);
   outcome.summary =
-      "M = rho I is true of the orthonormal families and of no other one of the table; for the "
+      "M = ρ I is true of the orthonormal families and of no other one of the table; for the "
       "cubic "
       "B-splines, which section 2 uses, M couples neighbours as well as levels.";
   outcome.evidence = {table};

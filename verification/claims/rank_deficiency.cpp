@@ -66,14 +66,14 @@ Outcome evaluate() {
   return {holds ? Verdict::holds : Verdict::does_not_hold,
           holds ? "deficient by exactly one" : "not deficient by exactly one",
           "The rows of A, weighted by l^2, add up to zero: the polynomial x^2 is reproduced by the "
-          "shifts of the autocorrelation of phi. With the last equation replaced by the moment "
+          "shifts of the autocorrelation of φ. With the last equation replaced by the moment "
           "condition A is proved regular, so no second null vector exists. Homogeneity, which the "
           "publication names as the reason, would not do: A = I is homogeneous as well.",
           {ranks}};
 }
 
 const RegisterClaim registered(
-    {"rank-deficiency", "The rank of the system for mu", "Section 3.2, below (3.11)",
+    {"rank-deficiency", "The rank of the system for μ", "Section 3.2, below (3.11)",
      "due to the homogeneity, the rank of the system is deficient by one", evaluate});
 
 }  // namespace

@@ -19,8 +19,8 @@ Outcome evaluate() {
   const auto definition = certified::find_filter("D8");
   const auto mu = certified::exact_connection_coefficients(definition, 1, 1)->mu;
   const auto second = certified::exact_connection_coefficients(definition, 0, 2)->mu;
-  Table sides{"D8: phi replaced by s phi, which keeps A mu = 0",
-              {"s^2", "mu_0", "-int phi phi''", "difference", "sum of l^2 mu_l"},
+  Table sides{"D8: φ replaced by s φ, which keeps A μ = 0",
+              {"s^2", "μ_0", "-∫ φ φ''", "difference", "sum of l^2 μ_l"},
               {}};
   bool printed_always_holds = true, moment_tells = true;
   for (const long square : {1L, 2L, 10L}) {
@@ -38,17 +38,16 @@ Outcome evaluate() {
   const bool as_expected = printed_always_holds && moment_tells;
   return {
       as_expected ? Verdict::depends_on_definition : Verdict::undecided,
-      "an identity at every scale; sum l^2 mu_l = -2 fixes the scale",
-      "Integration by parts holds for every multiple of phi: as an equation for mu the printed "
+      "an identity at every scale; Σ l^2 μ_l = -2 fixes the scale",
+      "Integration by parts holds for every multiple of φ: as an equation for μ the printed "
       "condition reads 0 = 0. It serves only if the integral is known from elsewhere; the method "
-      "cited for it fixes the scale by a moment condition, which gives all mu_l directly.",
+      "cited for it fixes the scale by a moment condition, which gives all μ_l directly.",
       {sides}};
 }
 
-const RegisterClaim registered({"scale-condition", "The condition for the scale of mu",
+const RegisterClaim registered({"scale-condition", "The condition for the scale of μ",
                                 "Section 3.2, above (3.12)",
-                                "the scale of mu can be determined by mu_0 = -int phi phi''",
-                                evaluate});
+                                "the scale of μ can be determined by μ_0 = -∫ φ φ''", evaluate});
 
 }  // namespace
 

@@ -42,8 +42,8 @@ Width width_of(const std::string& name) {
 }
 
 Outcome evaluate() {
-  Table widths{"Vanishing moments, support width P of phi, and mu at the last index inside",
-               {"K", "filter", "vanishing moments", "P", "expected", "mu at P - 1"},
+  Table widths{"Vanishing moments, support width P of φ, and μ at the last index inside",
+               {"K", "filter", "vanishing moments", "P", "expected", "μ at P - 1"},
                {}};
   bool holds = true;
   const auto add = [&](int k, const std::string& name, int expected) {
@@ -58,8 +58,8 @@ Outcome evaluate() {
   }
   return {holds ? Verdict::holds : Verdict::does_not_hold,
           fmt::format("as printed for K = 1 .. {}", largest_k),
-          "Counted from the certified taps. mu_l vanishes for |l| >= P, and for no smaller bound: "
-          "the enclosure of mu at P - 1 excludes zero.",
+          "Counted from the certified taps. μ_l vanishes for |l| >= P, and for no smaller bound: "
+          "the enclosure of μ at P - 1 excludes zero.",
           {widths}};
 }
 
@@ -67,7 +67,7 @@ const RegisterClaim registered(
     {"support-width", "Support widths of coiflets and Daubechies wavelets",
      "Section 3.2, below (3.14)",
      "a Coiflet with 2K vanishing moments has a support of width 6K-1, as compared to 4K-1 for the "
-     "Daubechies wavelet; mu_l = 0 for |l| >= P",
+     "Daubechies wavelet; μ_l = 0 for |l| >= P",
      evaluate});
 
 }  // namespace

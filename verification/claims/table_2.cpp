@@ -65,7 +65,7 @@ Table cause_table(const CheckedTable& table) {
   const Eigen::VectorXd alpha = printed_alpha(table);
   Table cause{"The cause, measured", {"figure", "as printed", "exact"}, {}};
   cause.rows.push_back(
-      {"sum of the odd alpha", fmt::format("{:.12f}", certified::Ball(sum).to_double()), "1"});
+      {"sum of the odd α", fmt::format("{:.12f}", certified::Ball(sum).to_double()), "1"});
   cause.rows.push_back({"eigenvalue of A nearest zero",
                         fmt::format("{:.3e}", eigenvalue_nearest_zero(reduced_system(alpha))),
                         "0"});
@@ -95,11 +95,11 @@ Outcome evaluate() {
       row_table(table),
       column_table(table),
       Paragraph{fmt::format(
-          "The printed alpha are those of the taps h/sqrt 2 in the 12-decimal table of {}, which "
+          "The printed α are those of the taps h/sqrt 2 in the 12-decimal table of {}, which "
           "are "
           "not all correctly rounded. Their odd entries sum to {} where 1 is exact, so that A is "
-          "not singular any more, and mu was taken as the eigenvector of A for the eigenvalue {} "
-          "nearest zero; nu follows by (3.14). The errors of mu and nu are the errors of alpha, "
+          "not singular any more, and μ was taken as the eigenvector of A for the eigenvalue {} "
+          "nearest zero; ν follows by (3.14). The errors of μ and ν are the errors of α, "
           "amplified.",
           find_published_taps("coif2") ? find_published_taps("coif2")->name : "another publication",
           cause.rows[0][1], cause.rows[1][1])},
