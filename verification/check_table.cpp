@@ -184,7 +184,8 @@ void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
   if (yielded_by_route) {
     result.verdict = Verdict::published_route;
-    result.detail = describe_difference(row) + "; route: " + route;
+    result.detail = describe_difference(row);
+    result.route = route;
     return;
   }
   if (row.repair) {
@@ -304,7 +305,7 @@ bool CheckedTable::is_right() const {
 CheckedTable check_table(const PublishedTable& table) {
   CheckedTable result{table.file, table.title, {}, {}};
   for (const PublishedEntry& entry : table.entries) {
-    result.rows.push_back({entry, Verdict::undecided, "", 0, ""});
+    result.rows.push_back({entry, Verdict::undecided, "", 0, "", ""});
   }
   Filters filters;
   std::vector<Column> columns;

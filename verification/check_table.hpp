@@ -19,6 +19,7 @@ struct CheckedRow {
   /// |print - true value| in units of the print's last digit.
   double ulps = 0;
   std::string detail;
+  std::string route;  ///< the computation that yields the print, for published-route
 };
 
 /// The rows of one filter and quantity.

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "../../verification/check_table.hpp"
+#include "check_table.hpp"
 #include "commands.hpp"
 
 namespace wavecurve::tools {
@@ -35,7 +35,9 @@ std::string as_json(const CheckedTable& table) {
                               {"verdict", to_string(row.verdict)},
                               {"certified", row.certified},
                               {"ulps", short_number(row.ulps)},
-                              {"detail", row.detail}});
+                              {"detail", row.detail},
+                              {"route", row.route.empty() ? nlohmann::ordered_json()
+                                                          : nlohmann::ordered_json(row.route)}});
   }
   result["columns"] = nlohmann::ordered_json::array();
   for (const CheckedColumn& column : table.columns) {
@@ -64,12 +66,12 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string as_csv(const CheckedTable& table) {
-  std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail\n";
+  std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail,route\n";
   for (const CheckedRow& row : table.rows) {
-    result +=
-        fmt::format("{},{},{},{},{},{},{:.6g},{}\n", csv_field(row.entry.filter),
-                    to_string(row.entry.quantity), row.entry.index, csv_field(row.entry.printed),
-                    to_string(row.verdict), row.certified, row.ulps, csv_field(row.detail));
+    result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", csv_field(row.entry.filter),
+                          to_string(row.entry.quantity), row.entry.index,
+                          csv_field(row.entry.printed), to_string(row.verdict), row.certified,
+                          row.ulps, csv_field(row.detail), csv_field(row.route));
   }
   return result;
 }
