@@ -51,8 +51,8 @@ TEST_F(CheckCommand, PrintsJson) {
 TEST_F(CheckCommand, PrintsCsv) {
   const ProgramRun result = wavecurve("check " + published_ + "table_1.csv --format csv");
   EXPECT_TRUE(
-      result.out.starts_with("filter,quantity,index,printed,verdict,certified,ulps,detail\n"
-                             "D8,alpha,0,2.000000000000,certified,2.000000000000,0,\n"));
+      result.out.starts_with("filter,quantity,index,printed,verdict,certified,ulps,detail,route\n"
+                             "D8,alpha,0,2.000000000000,certified,2.000000000000,0,,\n"));
 }
 
 TEST_F(CheckCommand, TwoRunsGiveTheSameBytes) {
