@@ -8,7 +8,7 @@
 #include "wavecurve/certified/refinable.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
-#include "wavecurve/operators/wavelet_coefficients.hpp"
+#include "wavecurve/filters/connection_coefficients.hpp"
 
 namespace wavecurve::certified {
 

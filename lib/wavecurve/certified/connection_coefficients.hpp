@@ -5,11 +5,11 @@
 #include "wavecurve/certified/ball.hpp"
 #include "wavecurve/certified/filter_definition.hpp"
 #include "wavecurve/certified/rational.hpp"
-#include "wavecurve/operators/connection_coefficients.hpp"
+#include "wavecurve/filters/connection_coefficients.hpp"
 
 namespace wavecurve::certified {
 
-// Connection coefficients mu_l, nu_l (see operators/connection_coefficients.hpp) with proof.
+// Connection coefficients mu_l, nu_l (see filters/connection_coefficients.hpp) with proof.
 //
 // Both follow from the autocorrelation F(s) = int phi(x - s) phi(x) dx. Integrating by parts p
 // times,

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/autocorrelation.hpp"
-#include "wavecurve/operators/wavelet_coefficients.hpp"
+#include "wavecurve/filters/connection_coefficients.hpp"
 
 namespace wavecurve {
 
