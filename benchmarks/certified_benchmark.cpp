@@ -1,5 +1,5 @@
-// Certified numbers from nothing: what the suite spends its time on. All are bound by arithmetic, the
-// big-number products inside FLINT; none touches more memory than the caches hold.
+// Certified numbers from nothing: what the suite spends its time on. All are bound by arithmetic,
+// the big-number products inside FLINT; none touches more memory than the caches hold.
 #include <benchmark/benchmark.h>
 
 #include "wavecurve/certified/connection_coefficients.hpp"

@@ -35,7 +35,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + " (wavecurve --help lists the commands)", bad_input);
+    return complain(std::string(error.what()) + " (wavecurve --help lists the commands)",
+                    bad_input);
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     return complain("cannot write to the standard output", environment_failed);

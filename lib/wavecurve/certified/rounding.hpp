@@ -12,7 +12,7 @@ namespace wavecurve::certified {
 // the same result, and returns nothing otherwise (raise the precision and ask again). A rational
 // number always rounds; ties go to the even digit, as in IEEE 754.
 
-/// The nearest decimal with this many digits behind the point, such as "-0.634202334430".
+/// The nearest decimal with this many digits behind the point, such as "-0.333333333333".
 /// Zero has no sign. Throws std::invalid_argument if decimals < 0.
 std::optional<std::string> round_to_decimals(const Ball& x, int decimals);
 std::string round_to_decimals(const Rational& x, int decimals);
