@@ -95,6 +95,9 @@ TEST(UserFilter, ChecksTheClaimedMoments) {
   EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
   claim.vanishing_moments = -1;
   EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
+  claim.vanishing_moments = 3;
+  claim.dual_vanishing_moments = -1;
+  EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
 }
 
 TEST(UserFilter, RefusesBadInput) {
@@ -112,6 +115,12 @@ TEST(UserFilter, RefusesBadInput) {
                std::invalid_argument);
   EXPECT_THROW(define_user_filter(with([](auto& u) { u.taps.taps.assign(1001, "0.1"); })),
                std::invalid_argument);
+  try {
+    define_user_filter(with([](auto& u) { u.dual = Filter<std::string>{20000, {"1"}}; }));
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "filter mine: its first index 20000 must lie within +-10000");
+  }
 }
 
 RC_GTEST_PROP(UserFilter, AnyTapMovedByMoreThanItsDigitsIsRefused, ()) {
