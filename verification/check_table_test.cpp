@@ -1,5 +1,7 @@
 #include "check_table.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -188,6 +190,56 @@ TEST(CheckTable, FindsTheRouteThatATableWasMadeBy) {
   EXPECT_EQ(table.columns[0].route, wanted);
   EXPECT_EQ(table.columns[0].matched, table.columns[0].of);
   EXPECT_GE(table.counts().at(Verdict::published_route), 2);
+}
+
+TEST(CheckTable, FindsTheRouteOfTapsFromTheirFirstIndexOn) {
+  FilterValues values(find_table_filter("coif2"));
+  std::string rows;
+  for (int n = -4; n < 8; ++n) {
+    const auto single = static_cast<float>(values.value(Quantity::taps, n).to_double());
+    char text[40];
+    std::snprintf(text, sizeof text, "%.12f", static_cast<double>(single));
+    rows += "coif2,h," + std::to_string(n) + "," + text + "\n";
+  }
+  const CheckedTable table = check(rows);
+  EXPECT_EQ(table.columns[0].route, "taps in single precision");
+  EXPECT_EQ(table.columns[0].matched, 12);
+}
+
+TEST(CheckTable, KeepsTheAlphaOfEveryFilterApart) {
+  PublishedTable both =
+      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv");
+  const auto of_k2 = static_cast<std::ptrdiff_t>(both.entries.size());
+  const PublishedTable d8 =
+      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_1.csv");
+  both.entries.insert(both.entries.end(), d8.entries.begin(), d8.entries.end());
+  const CheckedTable alone = published("table_2.csv"), together = check_table(both);
+  EXPECT_TRUE(std::equal(
+      alone.rows.begin(), alone.rows.end(), together.rows.begin(), together.rows.begin() + of_k2,
+      [](const CheckedRow& a, const CheckedRow& b) { return a.verdict == b.verdict; }));
+}
+
+TEST(CheckTable, TriesNoRouteFromAnAlphaColumnWithGaps) {
+  PublishedTable table =
+      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv");
+  const auto tries_printed_alpha = [&table] {
+    const CheckedTable checked = check_table(table);
+    const auto& routes = checked.columns[1].routes;
+    return std::any_of(routes.begin(), routes.end(), [](const RouteScore& route) {
+      return route.name.starts_with("alpha as printed");
+    });
+  };
+  EXPECT_TRUE(tries_printed_alpha());
+  std::erase_if(table.entries, [](const PublishedEntry& entry) {
+    return entry.quantity == Quantity::autocorrelation && entry.index == 11;
+  });
+  EXPECT_FALSE(tries_printed_alpha());
+}
+
+TEST(CheckTable, AsksForThreeCorrectDigits) {
+  // The value is -0.63420233...
+  EXPECT_EQ(check("D8,mu/mu0,1,-0.637777777777\n").rows[0].verdict, Verdict::discrepant);
+  EXPECT_EQ(check("D8,mu/mu0,1,-0.634277777777\n").rows[0].verdict, Verdict::agrees_to_digits);
 }
 
 TEST(CheckTable, ReadsZerosAsPrinted) {

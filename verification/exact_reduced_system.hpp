@@ -10,8 +10,8 @@
 
 namespace wavecurve::verification {
 
-/// The matrix A of the publication's A mu = 0, (3.11), P = alpha.size() - 1; routes.hpp has it in
-/// double precision.
+/// The matrix A of the publication's A mu = 0, (3.11), P = alpha.size() - 1;
+/// operators/two_scale_system.hpp has it in double precision.
 template <class Scalar>
 certified::SquareMatrix<Scalar> exact_reduced_system(const Filter<Scalar>& alpha) {
   const int unknowns = alpha.size() - 1;

@@ -62,10 +62,25 @@ TEST(Misprint, NeedsMoreThanOneEditToStayAway) {
   EXPECT_FALSE(repair("0.634202334430", "0.634202334430"));
 }
 
+TEST(Misprint, TakesTwoWrongDigitsForNoSwap) {
+  EXPECT_FALSE(repair("0.128856", "0.123456"));
+  EXPECT_FALSE(repair("0.213459", "0.123456")) << "a swap and a wrong digit";
+  EXPECT_FALSE(repair("1.983e-5", "1.893e-7")) << "a swap and a wrong exponent";
+}
+
+TEST(Misprint, SwapsNeighboursAcrossThePoint) {
+  expect_edit("2.1345678", "1.2345678", Edit::swapped_digits);
+}
+
+TEST(Misprint, ReadsLeadingZerosAsNoDigits) {
+  expect_edit("01.2345678", "1.2345978", Edit::wrong_digit);
+}
+
 TEST(Misprint, DistrustsRepairsOfVeryShortPrints) {
   EXPECT_FALSE(repair("0.7", "0.2"));
   EXPECT_FALSE(repair("0.27", "0.23"));
   EXPECT_FALSE(repair("0.3", "-0.3"));
+  EXPECT_FALSE(repair("0.321", "0.123")) << "one digit of three is left";
   EXPECT_FALSE(repair("0.00", "0.07"));
   EXPECT_TRUE(repair("0.23", "-0.23"));
 }

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "wavecurve/operators/two_scale_system.hpp"
 
 namespace wavecurve::verification {
 
@@ -86,33 +88,24 @@ std::vector<RouteValues> alpha_sources(const RouteInput& input) {
 
 // --- list 3: how the null vector is found ---
 
-using Solver = std::function<VectorXd(const MatrixXd&)>;
+using Solver = std::function<VectorXd(const VectorXd& alpha)>;
 
 struct NamedSolver {
   std::string name;
-  Solver solve;  ///< a vector of any scale
+  Solver solve;  ///< a vector of any scale; throws std::domain_error where it finds none
 };
 
-VectorXd singular_vector(const MatrixXd& a) {
-  return Eigen::JacobiSVD<MatrixXd>(a, Eigen::ComputeFullV).matrixV().rightCols(1);
-}
-
-VectorXd eigenvector(const MatrixXd& a) {
-  const Eigen::EigenSolver<MatrixXd> solver(a);
-  Index nearest = 0;
-  solver.eigenvalues().cwiseAbs().minCoeff(&nearest);
-  return solver.eigenvectors().col(nearest).real();
-}
-
 /// The equations but one, with mu_0 = 1 in its place.
-VectorXd without_equation(MatrixXd a, Index dropped) {
+VectorXd without_equation(const VectorXd& alpha, Index dropped) {
+  MatrixXd a = two_scale_matrix(alpha);
   a.row(dropped).setZero();
   a(dropped, 0) = 1;
   return a.partialPivLu().solve(VectorXd::Unit(a.rows(), dropped));
 }
 
 /// All equations as well as they can be met with mu_0 = 1.
-VectorXd least_squares(const MatrixXd& a) {
+VectorXd least_squares(const VectorXd& alpha) {
+  const MatrixXd a = two_scale_matrix(alpha);
   VectorXd mu(a.cols());
   mu[0] = 1;
   mu.tail(a.cols() - 1) = a.rightCols(a.cols() - 1).colPivHouseholderQr().solve(-a.col(0));
@@ -120,24 +113,35 @@ VectorXd least_squares(const MatrixXd& a) {
 }
 
 /// All equations and the moment condition, weighted alike.
-VectorXd least_squares_with_moment(const MatrixXd& a) {
+VectorXd least_squares_with_moment(const VectorXd& alpha) {
+  const MatrixXd a = two_scale_matrix(alpha);
   MatrixXd extended(a.rows() + 1, a.cols());
   extended.topRows(a.rows()) = a;
   for (Index l = 0; l < a.cols(); ++l) extended(a.rows(), l) = 2.0 * static_cast<double>(l * l);
   return extended.colPivHouseholderQr().solve(-2 * VectorXd::Unit(a.rows() + 1, a.rows()));
 }
 
+Solver library_solver(NullVectorMethod method) {
+  return [method](const VectorXd& alpha) { return two_scale_null_vector(alpha, 2, method); };
+}
+
 std::vector<NamedSolver> null_vector_solvers(Index unknowns) {
   std::vector<NamedSolver> solvers{
-      {"mu the eigenvector for the eigenvalue nearest zero", eigenvector},
-      {"mu the right singular vector of the smallest singular value", singular_vector},
+      {"mu the eigenvector for the eigenvalue nearest zero",
+       library_solver(NullVectorMethod::eigenvector)},
+      {"mu the right singular vector of the smallest singular value",
+       library_solver(NullVectorMethod::singular_vector)},
+      {"mu by shift-invert iteration near zero", library_solver(NullVectorMethod::shift_invert)},
+      {"mu with the last equation replaced by the moment condition",
+       library_solver(NullVectorMethod::constrained)},
       {"mu by least squares with mu_0 = 1", least_squares},
       {"mu by least squares with the moment condition", least_squares_with_moment},
   };
   for (Index count = 0; count < unknowns; ++count) {
     const Index dropped = unknowns - 1 - count;  // the last equation is the usual choice
-    solvers.push_back({"mu with the equation l = " + std::to_string(dropped) + " dropped",
-                       [dropped](const MatrixXd& a) { return without_equation(a, dropped); }});
+    solvers.push_back(
+        {"mu with the equation l = " + std::to_string(dropped) + " dropped",
+         [dropped](const VectorXd& alpha) { return without_equation(alpha, dropped); }});
   }
   return solvers;
 }
@@ -184,31 +188,29 @@ std::vector<RouteValues> tap_routes(Quantity quantity, const RouteInput& input) 
   return routes;
 }
 
+/// Empty where the solver finds no null vector, or infinities.
+std::optional<VectorXd> solved_column(Quantity quantity, const Solver& solve,
+                                      const VectorXd& alpha) {
+  try {
+    const VectorXd values = column(quantity, solve(alpha));
+    if (values.allFinite()) return values;
+  } catch (const std::domain_error&) {  // an iteration that did not converge is no route
+  }
+  return std::nullopt;
+}
+
 std::vector<RouteValues> coefficient_routes(Quantity quantity, const RouteInput& input) {
   std::vector<RouteValues> routes;
   for (const auto& [alpha_name, alpha] : alpha_sources(input)) {
-    const MatrixXd a = reduced_system(alpha);
-    for (const auto& [solver_name, solve] : null_vector_solvers(a.rows())) {
-      const VectorXd values = column(quantity, solve(a));
-      if (values.allFinite()) routes.push_back({alpha_name + "; " + solver_name, values});
+    for (const auto& [solver_name, solve] : null_vector_solvers(alpha.size() - 1)) {
+      const auto values = solved_column(quantity, solve, alpha);
+      if (values) routes.push_back({alpha_name + "; " + solver_name, *values});
     }
   }
   return routes;
 }
 
 }  // namespace
-
-MatrixXd reduced_system(const Eigen::Ref<const VectorXd>& alpha) {
-  const Index unknowns = alpha.size() - 1;
-  MatrixXd a = -MatrixXd::Identity(unknowns, unknowns);
-  for (Index l = 0; l < unknowns; ++l) {
-    for (Index k = -unknowns; k <= unknowns; ++k) {
-      const Index shifted = std::abs(2 * l + k);  // mu_{-l} = mu_l
-      if (shifted < unknowns) a(l, shifted) += 2 * alpha[std::abs(k)];
-    }
-  }
-  return a;
-}
 
 double eigenvalue_nearest_zero(const Eigen::Ref<const MatrixXd>& a) {
   const Eigen::VectorXcd eigenvalues = MatrixXd(a).eigenvalues();

@@ -36,10 +36,6 @@ struct RouteValues {
 /// out: nu of a filter that is not orthonormal does not follow from alpha alone, (3.14).
 std::vector<RouteValues> run_routes(Quantity quantity, const RouteInput& input);
 
-/// The matrix A of the publication's reduced system A mu = 0, (3.11), for mu_0 .. mu_{P-1} with
-/// P = alpha.size() - 1; row l is the equation of index l. Even alpha are taken as given.
-Eigen::MatrixXd reduced_system(const Eigen::Ref<const Eigen::VectorXd>& alpha);
-
 /// The eigenvalue of A that is nearest zero (its magnitude, should it be complex).
 double eigenvalue_nearest_zero(const Eigen::Ref<const Eigen::MatrixXd>& a);
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/operators/two_scale_system.hpp"
+
 #include "published_taps.hpp"
 #include "true_value.hpp"
 
@@ -37,7 +39,7 @@ TEST(Routes, TheSystemHasTheTrueCoefficientsAsNullVector) {
     FilterValues values(find_table_filter(filter));
     const int n = values.number_of_taps();
     const Eigen::VectorXd alpha = true_column(values, Quantity::autocorrelation, 0, n);
-    const Eigen::MatrixXd a = reduced_system(alpha);
+    const Eigen::MatrixXd a = two_scale_matrix(alpha);
     const Eigen::VectorXd mu = true_column(values, Quantity::mu, 0, n - 1);
     EXPECT_LT((a * mu).cwiseAbs().maxCoeff(), 1e-13 * mu.cwiseAbs().maxCoeff()) << filter;
     EXPECT_LT(std::abs(eigenvalue_nearest_zero(a)), 1e-12) << filter;

@@ -11,8 +11,8 @@
 #include <fmt/core.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
 
-#include "circulant_stiffness.hpp"
 #include "claim.hpp"
 #include "free_motion.hpp"
 
@@ -74,7 +74,7 @@ struct Comparison {
 
 Comparison compare_at(double rho) {
   const Material material{rho, 1.0, 0.001};
-  const MatrixXd stiffness = circulant_stiffness(find_filter_bank("db4"), samples);
+  const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
   const int steps = 50;
   const VectorXd start = start_shape();
   const VectorXd instants = VectorXd::LinSpaced(steps + 1, 0, 1);

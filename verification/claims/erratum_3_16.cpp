@@ -12,8 +12,8 @@
 #include <fmt/core.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
 
-#include "circulant_stiffness.hpp"
 #include "claim.hpp"
 #include "free_motion.hpp"
 
@@ -77,7 +77,7 @@ Outcome evaluate() {
       {}};
   double worst_corrected = 0, best_printed = 1;
   for (const int samples : {16, 32, 64}) {
-    const double k = circulant_stiffness(find_filter_bank("db4"), samples)(0, 0);
+    const double k = wavecurve::stiffness(find_filter_bank("db4"), samples, 0).coeff(0, 0);
     const Quadratic truth = decoupled_equation(k);
     const double corrected = residual_of_constant_roots(truth, truth);
     const double with_e0 = residual_of_constant_roots(truth, {truth.rho, e0, truth.k});

@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
 
-#include "circulant_stiffness.hpp"
 #include "claim.hpp"
 
 namespace wavecurve::verification {
@@ -31,7 +31,7 @@ Table singular_values() {
               {"N", "ρ", "rank", "smallest / largest singular value"},
               {}};
   for (const int samples : {16, 32, 64}) {
-    const MatrixXd stiffness = circulant_stiffness(find_filter_bank("db4"), samples);
+    const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
     for (const double rho : {1.0, 0.0}) {
       const MatrixXd matrix = damping(stiffness, rho);
       const Eigen::VectorXd sizes = Eigen::JacobiSVD<MatrixXd>(matrix).singularValues();
@@ -70,7 +70,7 @@ Chart schulz_chart(const MatrixXd& matrix) {
 
 Outcome evaluate() {
   const int samples = 64;
-  const MatrixXd stiffness = circulant_stiffness(find_filter_bank("db4"), samples);
+  const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
   const MatrixXd massless = damping(stiffness, 0);
   const Eigen::Index found = rank(massless);
   const bool is_singular = found < samples && rank(damping(stiffness, 1)) == samples;
@@ -91,7 +91,7 @@ Outcome evaluate() {
            "|C X - I| ends at 1, since C X becomes the projection onto the complement of the "
            "constants. Past its best, the distance grows again: on the null space the step is X <- "
            "2 X, so that rounding errors there double each time. The iteration must be stopped."},
-       schulz_chart(damping(circulant_stiffness(find_filter_bank("db4"), 16), 0))}};
+       schulz_chart(damping(wavecurve::stiffness(find_filter_bank("db4"), 16, 0), 0))}};
 }
 
 const RegisterClaim registered(

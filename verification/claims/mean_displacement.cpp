@@ -11,8 +11,8 @@
 #include <fmt/core.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
 
-#include "circulant_stiffness.hpp"
 #include "claim.hpp"
 #include "free_motion.hpp"
 
@@ -74,7 +74,7 @@ std::string number(double value) {
 }
 
 Outcome evaluate() {
-  const MatrixXd stiffness = circulant_stiffness(find_filter_bank("db4"), samples);
+  const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
   const Material undamped{1, 0, 0}, damped{1, 4 * std::numbers::pi, 0};
   const VectorXd one_period = VectorXd::LinSpaced(4001, 0, 1);
   const VectorXd late = VectorXd::Constant(1, 10);

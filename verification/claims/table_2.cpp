@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/operators/two_scale_system.hpp"
+
 #include "check_table.hpp"
 #include "claim.hpp"
 #include "published_taps.hpp"
@@ -67,7 +69,7 @@ Table cause_table(const CheckedTable& table) {
   cause.rows.push_back(
       {"sum of the odd α", fmt::format("{:.12f}", certified::Ball(sum).to_double()), "1"});
   cause.rows.push_back({"eigenvalue of A nearest zero",
-                        fmt::format("{:.3e}", eigenvalue_nearest_zero(reduced_system(alpha))),
+                        fmt::format("{:.3e}", eigenvalue_nearest_zero(two_scale_matrix(alpha))),
                         "0"});
   for (const Quantity quantity :
        {Quantity::autocorrelation, Quantity::mu_normalized, Quantity::nu_normalized}) {

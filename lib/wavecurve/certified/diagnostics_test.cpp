@@ -27,6 +27,15 @@ TEST(RieszBounds, OfSplinesAreTheEulerFrobeniusValues) {
   }
 }
 
+TEST(RieszBounds, AreFoundInsideTheInterval) {
+  // The Gram symbol of this dual is 1 at 0, 10/9 at pi and largest between them: 9/8 at 2 pi / 3.
+  const auto bounds = riesz_bounds(dual(find_filter("bspline1.3")));
+  ASSERT_TRUE(bounds.has_value());
+  EXPECT_TRUE(bounds->lower.contains(Rational(1)));
+  EXPECT_TRUE(bounds->upper.contains(Rational(9, 8)));
+  EXPECT_LT(bounds->upper.radius_double(), 1e-9);
+}
+
 TEST(RieszBounds, DoNotExistForADualThatIsNoFunction) {
   EXPECT_FALSE(riesz_bounds(dual(find_filter("bspline3.1"))).has_value());
 }

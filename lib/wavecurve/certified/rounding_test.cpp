@@ -45,6 +45,15 @@ TEST(Rounding, SaysNothingWhereTheEnclosureStraddlesABoundary) {
   EXPECT_EQ(round_to_double(Ball::around(Rational(1), radius)), 1.0);
 }
 
+TEST(Rounding, LooksAtBothEndsOfAnEnclosure) {
+  // Ties that rounding to even takes up and down: one end decides otherwise than the middle.
+  const Rational radius = Rational::power_of_two(-40);
+  EXPECT_FALSE(round_to_decimals(Ball::around(Rational(3, 8), radius), 2).has_value());
+  EXPECT_FALSE(round_to_decimals(Ball::around(Rational(1, 8), radius), 2).has_value());
+  EXPECT_EQ(magnitude_bound(Ball::around(Rational(1), Rational(3, 2))), "3e0");
+  EXPECT_EQ(magnitude_bound(Ball::around(Rational(-1), Rational(3, 2))), "3e0");
+}
+
 TEST(Rounding, RefusesAnInfiniteEnclosureAndNegativeCounts) {
   EXPECT_THROW(round_to_decimals(Ball(1) / Ball(0), 3), std::domain_error);
   EXPECT_THROW(round_to_decimals(Rational(1), -1), std::invalid_argument);

@@ -33,6 +33,19 @@ TEST(SobolevExponent, OfDb3HasItsClosedForm) {
   EXPECT_LT(s.radius_double(), 1e-12);
 }
 
+TEST(SobolevExponent, IsEnclosedByAnyNumberOfSquarings) {
+  const WorkingPrecision precision(256);
+  const FilterBank<Ball> db3 = find_filter("db3").bank(256);
+  const Ball truth = Ball(3) - log(Ball(9)) / log(Ball(4));
+  double last = 10;
+  for (int squarings = 0; squarings <= 6; ++squarings) {
+    const Ball s = sobolev_exponent(db3.synthesis_low, 3, squarings);
+    EXPECT_TRUE(s.contains(truth)) << squarings;
+    EXPECT_LT(s.radius_double(), last) << squarings;
+    last = s.radius_double();
+  }
+}
+
 TEST(SobolevExponent, MatchesThePublishedFigures) {
   // db N by Villemoes and others, to three decimals.
   const std::pair<const char*, double> known[] = {

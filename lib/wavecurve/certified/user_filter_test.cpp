@@ -1,6 +1,8 @@
 #include "wavecurve/certified/user_filter.hpp"
 
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -44,6 +46,23 @@ TEST(UserFilter, DecimalsEncloseTheFilterTheyWereRoundedFrom) {
   }
 }
 
+TEST(UserFilter, DecimalsStandForHalfAUnitEitherWay) {
+  UserFilter user{"mine", {0, {"0.6830", "1.183", "31.70e-2", "-0.18301"}}, {}, "2", {}, {}};
+  const double half_units[] = {0.5e-4, 0.5e-3, 0.5e-4, 0.5e-5};
+  for (const auto& [sum, factor] :
+       {std::pair{"2", std::sqrt(0.5)}, {"sqrt2", 1.0}, {"1", std::sqrt(2.0)}}) {
+    user.sum = sum;
+    user.taps.taps = {"0.6830", "1.183", "31.70e-2", "-0.18301"};
+    // The taps of db2 have the sum 2; for another sum they are scaled.
+    if (user.sum == "sqrt2") user.taps.taps = {"0.4830", "0.837", "22.41e-2", "-0.12941"};
+    if (user.sum == "1") user.taps.taps = {"0.3415", "0.592", "15.85e-2", "-0.09151"};
+    const Filter<Ball> low = define_user_filter(user).bank(128).synthesis_low;
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_NEAR(low[i].radius_double() / (half_units[i] * factor), 1, 1e-6) << sum << " " << i;
+    }
+  }
+}
+
 TEST(UserFilter, ExactDecimalsAreExactNumbers) {
   UserFilter spline{"mine", {-1, {"0.25", "0.75", "0.75", "0.25"}}, {}, "2", {}, {}};
   spline.dual = {-1, {"-0.5", "1.5", "1.5", "-0.5"}};
@@ -76,6 +95,9 @@ TEST(UserFilter, ChecksTheClaimedMoments) {
   EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
   claim.vanishing_moments = -1;
   EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
+  claim.vanishing_moments = 3;
+  claim.dual_vanishing_moments = -1;
+  EXPECT_THROW(define_user_filter(claim), std::invalid_argument);
 }
 
 TEST(UserFilter, RefusesBadInput) {
@@ -93,6 +115,12 @@ TEST(UserFilter, RefusesBadInput) {
                std::invalid_argument);
   EXPECT_THROW(define_user_filter(with([](auto& u) { u.taps.taps.assign(1001, "0.1"); })),
                std::invalid_argument);
+  try {
+    define_user_filter(with([](auto& u) { u.dual = Filter<std::string>{20000, {"1"}}; }));
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "filter mine: its first index 20000 must lie within +-10000");
+  }
 }
 
 RC_GTEST_PROP(UserFilter, AnyTapMovedByMoreThanItsDigitsIsRefused, ()) {

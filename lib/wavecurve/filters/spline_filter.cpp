@@ -1,21 +1,19 @@
 #include "wavecurve/filters/spline_filter.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
+
+#include "wavecurve/filters/filter_name.hpp"
 
 namespace wavecurve {
 
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
-
-constexpr int highest_order = 100;
 
 std::vector<Integer> product(const std::vector<Integer>& a, const std::vector<Integer>& b) {
   std::vector<Integer> c(a.size() + b.size() - 1, 0);
@@ -80,49 +78,22 @@ Filter<Scalar> rounded(int first_index, const std::vector<Integer>& numerators, 
   return filter;
 }
 
-std::optional<int> whole_number(std::string_view text) {
-  if (text.empty() || text.front() < '1' || text.front() > '9') return std::nullopt;
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-void require_orders(std::string_view name, int order, int dual_order) {
-  for (const int n : {order, dual_order}) {
-    if (n < 1 || n > highest_order) {
-      throw std::invalid_argument("filter " + std::string(name) + ": its order " +
-                                  std::to_string(n) + " must lie in 1 .. " +
-                                  std::to_string(highest_order));
-    }
-  }
-  if ((order + dual_order) % 2 != 0) {
-    throw std::invalid_argument("filter " + std::string(name) + ": the sum of its orders " +
-                                std::to_string(order) + " + " + std::to_string(dual_order) +
-                                " must be even");
-  }
-}
-
 }  // namespace
 
 template <class Scalar>
 std::optional<FilterBank<Scalar>> spline_filter_bank(std::string_view name) {
-  constexpr std::string_view prefix = "bspline";
-  const auto dot = name.find('.');
-  if (!name.starts_with(prefix) || dot == std::string_view::npos) return std::nullopt;
-  const auto order = whole_number(name.substr(prefix.size(), dot - prefix.size()));
-  const auto dual_order = whole_number(name.substr(dot + 1));
-  if (!order || !dual_order) return std::nullopt;
-  require_orders(name, *order, *dual_order);
-  const int half_sum = (*order + *dual_order) / 2;
-  const auto dual = product(binomials(*dual_order), scaled_halfband(half_sum));
+  const auto orders = spline_orders(name);
+  if (!orders) return std::nullopt;
+  const auto [order, dual_order] = *orders;
+  const int half_sum = (order + dual_order) / 2;
+  const auto dual = product(binomials(dual_order), scaled_halfband(half_sum));
   auto bank = make_filter_bank(
       std::string(name),
-      rounded<Scalar>(1 - half_sum - *dual_order / 2, dual, *dual_order + 2 * (half_sum - 1)),
-      rounded<Scalar>(-(*order / 2), binomials(*order), *order));
-  bank.vanishing_moments = *order;
-  bank.dual_vanishing_moments = *dual_order;
-  bank.sobolev_exponent = *order - 0.5;  // the Fourier transform decays like |w|^-D
+      rounded<Scalar>(1 - half_sum - dual_order / 2, dual, dual_order + 2 * (half_sum - 1)),
+      rounded<Scalar>(-(order / 2), binomials(order), order));
+  bank.vanishing_moments = order;
+  bank.dual_vanishing_moments = dual_order;
+  bank.sobolev_exponent = order - 0.5;  // the Fourier transform decays like |w|^-D
   return bank;
 }
 

@@ -128,24 +128,11 @@ FilterBank<Ball> coiflet_bank(const std::string& name, int order) {
   if (!f)
     throw std::runtime_error("interval Newton did not enclose the coiflet of order " +
                              std::to_string(order));
-  Filter<Ball> filter = system.mask(*f);
-  const Ball root_two = sqrt(Ball(2));
-  for (Ball& tap : filter.taps) tap *= root_two;
-  auto bank = make_filter_bank(name, filter, filter);
-  bank.vanishing_moments = bank.dual_vanishing_moments = 2 * order;
-  return bank;
+  return orthonormal_bank(name, system.mask(*f), 2 * order);
 }
 
 std::optional<FilterDefinition> define(std::string_view name) {
-  const auto order = number_after("coif", name);
-  if (!order) return std::nullopt;
-  require_order(name, *order, 1, highest_order);
-  FilterDefinition definition;
-  definition.name = name;
-  definition.bank = [name = definition.name, K = *order](long bits) {
-    return with_accuracy(bits, [&] { return coiflet_bank(name, K); });
-  };
-  return definition;
+  return define_by_order("coif", name, 1, highest_order, coiflet_bank);
 }
 
 }  // namespace

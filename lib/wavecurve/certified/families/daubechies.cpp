@@ -12,24 +12,12 @@ constexpr int highest_order = 38;
 FilterBank<Ball> minimum_phase_bank(const std::string& name, int order) {
   Polynomial<Ball> low = averaging_polynomial<Ball>(order);
   for (const auto& factor : halfband_factors(order)) low = low * factor;
-  const Ball root_two = sqrt(Ball(2));
-  for (Ball& tap : low) tap *= root_two;
-  const Filter<Ball> filter{0, low};
-  auto bank = make_filter_bank(name, filter, filter);
-  bank.vanishing_moments = bank.dual_vanishing_moments = order;
-  return bank;
+  return orthonormal_bank(name, {0, low}, order);
 }
 
 std::optional<FilterDefinition> define(std::string_view name) {
-  const auto order = number_after("db", name);
-  if (!order) return std::nullopt;
-  require_order(name, *order, 1, highest_order);
-  FilterDefinition definition;
-  definition.name = name;
-  definition.bank = [name = definition.name, N = *order](long bits) {
-    return with_accuracy(bits, [&] { return minimum_phase_bank(name, N); });
-  };
-  definition.exact = halfband_autocorrelations(*order);
+  auto definition = define_by_order("db", name, 1, highest_order, minimum_phase_bank);
+  if (definition) definition->exact = halfband_autocorrelations(*number_after("db", name));
   return definition;
 }
 

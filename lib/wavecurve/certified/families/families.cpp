@@ -1,7 +1,6 @@
 #include "wavecurve/certified/families/families.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "wavecurve/certified/find_filter.hpp"
@@ -41,24 +40,6 @@ std::vector<std::string> filter_names() {
   return names;
 }
 
-std::optional<int> number_after(std::string_view prefix, std::string_view name) {
-  if (!name.starts_with(prefix)) return std::nullopt;
-  name.remove_prefix(prefix.size());
-  if (name.empty() || name.front() == '0' || name.front() == '-') return std::nullopt;
-  int number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
-  return number;
-}
-
-void require_order(std::string_view name, int order, int lowest, int highest) {
-  if (order < lowest || order > highest) {
-    throw std::invalid_argument("filter " + std::string(name) + ": its order " +
-                                std::to_string(order) + " must lie in " + std::to_string(lowest) +
-                                " .. " + std::to_string(highest));
-  }
-}
-
 FilterBank<Ball> with_accuracy(long bits, const std::function<FilterBank<Ball>()>& make) {
   constexpr long guard_bits = 40;
   constexpr int doublings = 6;
@@ -74,6 +55,28 @@ FilterBank<Ball> with_accuracy(long bits, const std::function<FilterBank<Ball>()
     if (accurate(bank.analysis_low) && accurate(bank.synthesis_low)) return bank;
   }
   throw std::runtime_error("a filter did not reach " + std::to_string(bits) + " bits of accuracy");
+}
+
+FilterBank<Ball> orthonormal_bank(const std::string& name, Filter<Ball> mask,
+                                  int vanishing_moments) {
+  const Ball root_two = sqrt(Ball(2));
+  for (Ball& tap : mask.taps) tap *= root_two;
+  auto bank = make_filter_bank(name, mask, mask);
+  bank.vanishing_moments = bank.dual_vanishing_moments = vanishing_moments;
+  return bank;
+}
+
+std::optional<FilterDefinition> define_by_order(std::string_view prefix, std::string_view name,
+                                                int lowest, int highest, const BankOfOrder& bank) {
+  const auto order = number_after(prefix, name);
+  if (!order) return std::nullopt;
+  require_order(name, *order, lowest, highest);
+  FilterDefinition definition;
+  definition.name = name;
+  definition.bank = [bank, name = definition.name, order = *order](long bits) {
+    return with_accuracy(bits, [&] { return bank(name, order); });
+  };
+  return definition;
 }
 
 ExactAutocorrelations halfband_autocorrelations(int order) {

@@ -34,6 +34,15 @@ TEST_P(EveryFilter, HasTheAccuracyAskedFor) {
   }
 }
 
+TEST_P(EveryFilter, EnclosesTheTapsOfAHigherPrecision) {
+  const auto definition = find_filter(GetParam());
+  const auto bank = definition.bank(64), truth = definition.bank(2 * bits);
+  for (int i = 0; i < truth.synthesis_low.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    EXPECT_TRUE(bank.synthesis_low.taps[k].contains(truth.synthesis_low.taps[k])) << i;
+  }
+}
+
 TEST_P(EveryFilter, HasExactlyTheClaimedZerosAtPi) {
   const auto bank = find_filter(GetParam()).bank(bits);
   const WorkingPrecision precision(2 * bits);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wavecurve/certified/filter_definition.hpp"
+#include "wavecurve/filters/filter_name.hpp"
 
 namespace wavecurve::certified {
 
@@ -37,11 +38,16 @@ Family cdf97_family();
 /// symlets.
 ExactAutocorrelations halfband_autocorrelations(int order);
 
-/// "db12" with prefix "db" -> 12; empty if the rest is not a whole number without leading zero.
-std::optional<int> number_after(std::string_view prefix, std::string_view name);
+/// The bank of an orthonormal filter from its taps over sqrt 2, sum 1.
+FilterBank<Ball> orthonormal_bank(const std::string& name, Filter<Ball> mask,
+                                  int vanishing_moments);
 
-/// Throws std::invalid_argument naming the filter, its order and the bounds.
-void require_order(std::string_view name, int order, int lowest, int highest);
+using BankOfOrder = std::function<FilterBank<Ball>(const std::string& name, int order)>;
+
+/// The definition of the member of a family whose names are the prefix and an order, with `bank`
+/// called at rising working precision. Empty for a name of another form; throws as require_order.
+std::optional<FilterDefinition> define_by_order(std::string_view prefix, std::string_view name,
+                                                int lowest, int highest, const BankOfOrder& bank);
 
 /// Calls make() at rising working precision until every tap has `bits` bits of relative accuracy.
 /// An exact zero is accurate. Throws std::runtime_error if 64 times the bits do not suffice.

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "wavecurve/certified/families/family.hpp"
 #include "wavecurve/certified/polynomial.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
@@ -8,7 +6,6 @@ namespace wavecurve::certified {
 
 namespace {
 
-constexpr int highest_order = 100;  // of either side; keeps a typing slip from filling memory
 constexpr int highest_listed_order = 8;
 
 /// Taps over sqrt 2, exact. The scaling function is the centred B-spline of order D (degree D - 1),
@@ -52,25 +49,14 @@ FilterBank<Ball> spline_bank(const std::string& name, int order, int dual_order)
 }
 
 std::optional<FilterDefinition> define(std::string_view name) {
-  constexpr std::string_view prefix = "bspline";
-  const auto dot = name.find('.');
-  if (!name.starts_with(prefix) || dot == std::string_view::npos) return std::nullopt;
-  const auto order = number_after(prefix, name.substr(0, dot));
-  const auto dual_order = number_after("", name.substr(dot + 1));
-  if (!order || !dual_order) return std::nullopt;
-  require_order(name, *order, 1, highest_order);
-  require_order(name, *dual_order, 1, highest_order);
-  if ((*order + *dual_order) % 2 != 0) {
-    throw std::invalid_argument("filter " + std::string(name) + ": the sum of its orders " +
-                                std::to_string(*order) + " + " + std::to_string(*dual_order) +
-                                " must be even");
-  }
+  const auto orders = spline_orders(name);
+  if (!orders) return std::nullopt;
   FilterDefinition definition;
   definition.name = name;
-  definition.bank = [name = definition.name, D = *order, E = *dual_order](long bits) {
-    return with_accuracy(bits, [&] { return spline_bank(name, D, E); });
+  definition.bank = [name = definition.name, orders = *orders](long bits) {
+    return with_accuracy(bits, [&] { return spline_bank(name, orders.order, orders.dual_order); });
   };
-  const SplinePair pair = spline_pair(*order, *dual_order);
+  const SplinePair pair = spline_pair(orders->order, orders->dual_order);
   definition.exact = {scaled_autocorrelation(pair.synthesis),
                       scaled_autocorrelation(pair.analysis)};
   return definition;

@@ -109,7 +109,8 @@ std::size_t chosen_roots(int order) {
   return mirror ? all ^ outside : outside;
 }
 
-FilterBank<Ball> symlet_bank(const std::string& name, int order, std::size_t outside) {
+FilterBank<Ball> symlet_bank(const std::string& name, int order) {
+  const std::size_t outside = chosen_roots(order);
   Polynomial<Ball> low = averaging_polynomial<Ball>(order);
   const auto factors = halfband_factors(order);
   for (std::size_t g = 0; g < factors.size(); ++g) {
@@ -117,25 +118,12 @@ FilterBank<Ball> symlet_bank(const std::string& name, int order, std::size_t out
     if ((outside >> g & 1) == 0) std::reverse(factor.begin(), factor.end());
     low = low * factor;
   }
-  const Ball root_two = sqrt(Ball(2));
-  for (Ball& tap : low) tap *= root_two;
-  const Filter<Ball> filter{0, low};
-  auto bank = make_filter_bank(name, filter, filter);
-  bank.vanishing_moments = bank.dual_vanishing_moments = order;
-  return bank;
+  return orthonormal_bank(name, {0, low}, order);
 }
 
 std::optional<FilterDefinition> define(std::string_view name) {
-  const auto order = number_after("sym", name);
-  if (!order) return std::nullopt;
-  require_order(name, *order, lowest_order, highest_order);
-  FilterDefinition definition;
-  definition.name = name;
-  definition.bank = [name = definition.name, N = *order](long bits) {
-    const std::size_t outside = chosen_roots(N);
-    return with_accuracy(bits, [&] { return symlet_bank(name, N, outside); });
-  };
-  definition.exact = halfband_autocorrelations(*order);
+  auto definition = define_by_order("sym", name, lowest_order, highest_order, symlet_bank);
+  if (definition) definition->exact = halfband_autocorrelations(*number_after("sym", name));
   return definition;
 }
 
