@@ -16,6 +16,7 @@ ninja-build           program:ninja
 libeigen3-dev         header:eigen3/Eigen/Core
 libspectra-dev        header:Spectra/SymEigsSolver.h
 libboost-dev          header:boost/version.hpp
+libhwy-dev            header:hwy/highway.h
 libflint-dev          header:flint/fmpq_mat.h
 libflint-arb-dev      header:flint/arb.h header:arb.h
 libfmt-dev            header:fmt/format.h

@@ -7,6 +7,7 @@
 
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_kernels.hpp"
+#include "wavecurve/transform/rotation_kernels.hpp"
 
 namespace wavecurve {
 
@@ -25,7 +26,8 @@ template <class Scalar>
 FilterPair<Scalar>::FilterPair(const Filter<Scalar>& low, const Filter<Scalar>& high)
     : pairs_(std::max(pair_count(low), pair_count(high))),
       low_(polyphase(low, pairs_)),
-      high_(polyphase(high, pairs_)) {}
+      high_(polyphase(high, pairs_)),
+      rotations_(rotation_cascade(low, high)) {}
 
 template <class Scalar>
 typename FilterPair<Scalar>::Polyphase FilterPair<Scalar>::polyphase(const Filter<Scalar>& filter,
@@ -50,6 +52,7 @@ Eigen::Index FilterPair<Scalar>::buffer_size() const {
 template <class Scalar>
 void FilterPair<Scalar>::analyse(const Scalar* fine, Eigen::Index half, Scalar* c, Scalar* d,
                                  Scalar* buffer) const {
+  if (rotations_) return rotate_forward(*rotations_, fine, half, c, d);
   const Eigen::Index first = std::min(low_.first, high_.first);
   const Eigen::Index overlap = pairs_ - 1 + std::abs(low_.first - high_.first);
   Scalar* even = buffer;
@@ -70,6 +73,7 @@ void FilterPair<Scalar>::analyse(const Scalar* fine, Eigen::Index half, Scalar* 
 template <class Scalar>
 void FilterPair<Scalar>::synthesise(const Scalar* c, const Scalar* d, Eigen::Index half,
                                     Scalar* fine, Scalar* buffer) const {
+  if (rotations_) return rotate_backward(*rotations_, c, d, half, fine);
   const Eigen::Index quarter = buffer_size() / 4;
   Scalar* even = buffer + 2 * quarter;
   Scalar* odd = buffer + 3 * quarter;

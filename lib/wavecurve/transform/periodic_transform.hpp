@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "wavecurve/filters/filter_bank.hpp"
+#include "wavecurve/transform/rotation_cascade.hpp"
 
 namespace wavecurve {
 
@@ -34,6 +35,7 @@ class FilterPair {
 
   int pairs_;
   Polyphase low_, high_;
+  std::optional<RotationCascade<Scalar>> rotations_;  ///< of an orthonormal pair
 };
 
 /// The discrete periodic wavelet transform (DPWT) of a bank, any number of levels, any length that
