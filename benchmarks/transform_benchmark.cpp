@@ -1,3 +1,22 @@
+// The periodic transform beside its peers: D8, all levels, processor time a sample (per_sample).
+// PyWavelets is measured by transform_pywavelets.py; start it right after this.
+//
+// Asked for, double: at N = 2^14 to 2^16 at most 0.4 ns a sample each way, 8 times faster than
+// PyWavelets' compiled core, 12 times faster than GSL; at 2^22 at most 2.5 times memcpy's time.
+//
+// Measured on two shared cores of an EPYC (Zen 4, about 3 GHz), one run side by side:
+// - 0.63 to 0.80 ns a sample at 2^14 to 2^16: 9 to 13 times faster than GSL, 10 times the plain
+// loop.
+//   PyWavelets' compiled core, taken at 2^18 where its calls from Python no longer count: 9.4 ns
+//   forward and 5.3 ns inverse, 13 and 7 times as much as ours.
+// - 2.0 to 2.6 times memcpy's time at 2^22, where memory bounds it: each level is a pass of its
+// own.
+// - Arithmetic bounds the rest. The loop of 16 samples is 10 multiplications, 8 additions and 5
+//   shuffles of 512 bits, which the processor splits in two: 46 operations on four units, 11.5
+//   cycles, 1.44 a sample for all levels, 0.46 ns at 3.1 GHz. Fused operations, which would let
+//   results depend on the machine, would need 10 cycles.
+// - 2.5 to 2.8 ns a sample at 2^8, of which the loop above is less than 0.8: the rest is the start
+//   and the wrap of each of eight levels.
 #include <cstring>
 #include <vector>
 

@@ -7,10 +7,10 @@
 
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
-#include "wavecurve/certified/refinable.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/transform/dyadic_values.hpp"
 
 #include "claim.hpp"
 
@@ -22,45 +22,16 @@ using certified::Ball;
 
 constexpr int finest_level = 14;
 
-/// phi at the integers of its support, in double.
-std::vector<double> integer_values(const std::string& name) {
-  constexpr long bits = 128;
-  const certified::WorkingPrecision precision(bits);
-  Filter<Ball> mask = certified::find_filter(name).bank(bits).synthesis_low;
-  for (Ball& tap : mask.taps) tap *= sqrt(Ball(2));
-  const auto phi = certified::derivative_at_integers(mask, 0);
-  std::vector<double> values;
-  for (int l = mask.first_index; l <= mask.last_index(); ++l) values.push_back(phi[l].to_double());
-  return values;
-}
-
-/// phi on the grid of half the spacing: the old points stay, the new ones follow from (2.1).
-std::vector<double> refine(const std::vector<double>& coarse, const Filter<double>& low,
-                           std::ptrdiff_t points_per_unit) {
-  const auto last = static_cast<std::ptrdiff_t>(coarse.size()) - 1;
-  std::vector<double> fine(2 * coarse.size() - 1);
-  for (std::ptrdiff_t i = 0; i <= 2 * last; ++i) {
-    double sum = 0;
-    for (std::ptrdiff_t n = 0; n < low.size(); ++n) {
-      const std::ptrdiff_t at = i - n * points_per_unit;  // phi(2x - n) on the coarse grid
-      if (at >= 0 && at <= last) {
-        sum += low.taps[static_cast<std::size_t>(n)] * coarse[static_cast<std::size_t>(at)];
-      }
-    }
-    fine[static_cast<std::size_t>(i)] = std::sqrt(2.0) * sum;
-  }
-  return fine;
-}
-
 /// int (difference quotient)^2 of phi at the spacings 2^-1 .. 2^-finest_level.
 std::vector<double> stiffness_by_level(const std::string& name) {
-  const Filter<double> low = find_filter_bank(name).synthesis_low;
-  std::vector<double> phi = integer_values(name), energies;
+  const Eigen::VectorXd phi = scaling_values(find_filter_bank(name), finest_level).values;
+  std::vector<double> energies;
   for (int level = 1; level <= finest_level; ++level) {
-    phi = refine(phi, low, std::ptrdiff_t{1} << (level - 1));
+    const Eigen::Index step = Eigen::Index{1} << (finest_level - level);
     double sum = 0;
-    for (std::size_t i = 1; i < phi.size(); ++i)
-      sum += (phi[i] - phi[i - 1]) * (phi[i] - phi[i - 1]);
+    for (Eigen::Index i = step; i < phi.size(); i += step) {
+      sum += (phi[i] - phi[i - step]) * (phi[i] - phi[i - step]);
+    }
     energies.push_back(std::ldexp(sum, level));
   }
   return energies;

@@ -81,7 +81,7 @@ std::optional<RotationCascade<Scalar>> rotation_cascade(const Filter<Scalar>& lo
                                                         const Filter<Scalar>& high) {
   const int parity = low.first_index & 1;
   if (low.size() % 2 != 0 || low.size() == 0 || high.size() != low.size() ||
-      (high.first_index & 1) != parity) {
+      low.size() > 2 * RotationCascade<Scalar>::max_size || (high.first_index & 1) != parity) {
     return std::nullopt;
   }
   PolyphasePair taps{pairs_of(low), pairs_of(high)};

@@ -19,6 +19,8 @@ namespace wavecurve {
 /// QMF banks, IEEE Trans. ASSP 36 (1988).
 template <class Scalar>
 struct RotationCascade {
+  /// The kernels hold their state on the stack.
+  static constexpr int max_size = 64;
   std::vector<Scalar> tangents, reversed_tangents;
   Scalar low_scale = 1, high_scale = 1;
   Eigen::Index parity = 0;
@@ -28,7 +30,8 @@ struct RotationCascade {
   int size() const { return static_cast<int>(tangents.size()); }
 };
 
-/// The cascade of a pair, or none where the pair is not orthonormal to working precision, or where
+/// The cascade of a pair, or none where the pair is not orthonormal to working precision, where it
+/// has more than 2 max_size taps, or where
 /// the unscaled rotations would enlarge a signal by more than 2^30.
 template <class Scalar>
 std::optional<RotationCascade<Scalar>> rotation_cascade(const Filter<Scalar>& low,

@@ -48,7 +48,7 @@ HWY_INLINE V delayed([[maybe_unused]] D d, [[maybe_unused]] V u, V previous) {
 #endif
 }
 
-constexpr int max_rotations = 64;
+constexpr int max_rotations = RotationCascade<double>::max_size;
 
 HWY_INLINE Index modulo(Index n, Index period) {
   const Index remainder = n % period;

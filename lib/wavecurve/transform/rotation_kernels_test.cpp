@@ -105,5 +105,14 @@ TEST(RotationCascade, IsRefusedWhereThePairIsNotOrthonormal) {
   EXPECT_FALSE(rotation_cascade(d8.analysis_low, d8.analysis_high));
 }
 
+TEST(RotationCascade, IsRefusedForMoreTapsThanTheKernelsHold) {
+  // Haar's filter with zeros behind it: orthonormal at every length.
+  for (int taps : {128, 130}) {
+    Filter<double> low{0, std::vector<double>(static_cast<std::size_t>(taps), 0.0)};
+    low.taps[0] = low.taps[1] = std::sqrt(0.5);
+    EXPECT_EQ(rotation_cascade(low, conjugate_mirror(low)).has_value(), taps == 128);
+  }
+}
+
 }  // namespace
 }  // namespace wavecurve
