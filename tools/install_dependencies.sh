@@ -19,6 +19,8 @@ libboost-dev          header:boost/version.hpp
 libhwy-dev            header:hwy/highway.h
 libflint-dev          header:flint/fmpq_mat.h
 libflint-arb-dev      header:flint/arb.h header:arb.h
+libsvgpp-dev          header:svgpp/svgpp.hpp
+libxml2-dev           header:libxml2/libxml/tree.h
 libfmt-dev            header:fmt/format.h
 nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp
@@ -29,6 +31,8 @@ libgtest-dev          header:gtest/gtest.h
 librapidcheck-dev     header:rapidcheck.h
 libbenchmark-dev      header:benchmark/benchmark.h
 libgsl-dev            header:gsl/gsl_wavelet.h
+librlottie-dev        header:rlottie.h
+ffmpeg                program:ffmpeg
 python3               program:/usr/bin/python3
 python3-pywt          module:pywt
 '

@@ -1,12 +1,13 @@
-# cmake --install: the two libraries, their headers, and the package that find_package(wavecurve) finds.
-# Each library is an export set of its own, so that a user of the numerics needs no FLINT.
+# cmake --install: the three libraries, their headers, and the package that find_package(wavecurve) finds.
+# Each library is an export set of its own, so that a user of the numerics needs neither FLINT nor libxml2.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wavecurve)
 
 install(TARGETS wavecurve EXPORT wavecurve-targets)
 install(TARGETS wavecurve_certified EXPORT wavecurve-certified-targets)
-foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets)
+install(TARGETS wavecurve_io EXPORT wavecurve-io-targets)
+foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets wavecurve-io-targets)
   install(EXPORT ${set} NAMESPACE wavecurve:: DESTINATION ${package_dir})
 endforeach()
 install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
