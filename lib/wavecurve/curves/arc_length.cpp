@@ -13,12 +13,36 @@ namespace wavecurve {
 
 namespace {
 
+/// Gauss-Legendre quadrature on [-1, 1].
+struct Quadrature {
+  static constexpr int size = 15;
+  using Nodes = Eigen::Array<double, size, 1>;
+  Nodes nodes, weights;
+
+  static const Quadrature& rule() {
+    static const Quadrature the_rule;
+    return the_rule;
+  }
+
+ private:
+  Quadrature() {
+    using Rule = boost::math::quadrature::gauss<double, size>;
+    constexpr int middle = size / 2;  // the rule lists the nodes from zero on
+    for (int i = 0; i <= middle; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      nodes[middle + i] = Rule::abscissa()[at];
+      nodes[middle - i] = -Rule::abscissa()[at];
+      weights[middle + i] = weights[middle - i] = Rule::weights()[at];
+    }
+  }
+};
+
 /// |B'(s)|, from control points that are padded to three: the Bernstein form keeps its accuracy
 /// where B' is small.
 class Speed {
  public:
   explicit Speed(const BezierSegment& segment) {
-    const Eigen::Matrix2Xd control = hodograph(segment);
+    const auto control = hodograph(segment);
     if (segment.degree() == 3) {
       control_ = control;
     } else {
@@ -28,17 +52,24 @@ class Speed {
   }
 
   double operator()(double s) const {
-    const double r = 1 - s;
-    const Eigen::Vector2d velocity =
-        r * r * control_.col(0) + 2 * r * s * control_.col(1) + s * s * control_.col(2);
-    return velocity.norm();
+    const Eigen::Vector3d bernstein((1 - s) * (1 - s), 2 * s * (1 - s), s * s);
+    return (control_ * bernstein).norm();
   }
 
   double integral(double begin, double end) const {
-    return boost::math::quadrature::gauss<double, 15>::integrate(*this, begin, end);
+    const Quadrature& rule = Quadrature::rule();
+    const double half = (end - begin) / 2;
+    const Nodes s = begin + half + half * rule.nodes, r = 1 - s;
+    const Nodes b0 = r * r, b1 = 2 * r * s, b2 = s * s;
+    const auto component = [&](int i) {
+      return control_(i, 0) * b0 + control_(i, 1) * b1 + control_(i, 2) * b2;
+    };
+    const Nodes x = component(0), y = component(1);
+    return half * (rule.weights * (x * x + y * y).sqrt()).sum();
   }
 
  private:
+  using Nodes = Quadrature::Nodes;
   Eigen::Matrix<double, 2, 3> control_;
 };
 
@@ -77,18 +108,31 @@ std::vector<Range> parts_of(const BezierSegment& segment) {
   return parts;
 }
 
-/// The s in the range with integral of the speed from begin to s = target.
-double invert(const Speed& speed, double begin, double end, double length, double target) {
-  constexpr double precision = 1e-15;
+/// Where the target would be if the parameter were a cubic function of the length, with the right
+/// derivatives 1 / speed at the ends; limited, so that it grows, to three times the mean.
+double first_guess(const Speed& speed, const Range& range, double target) {
+  const double width = range.end - range.begin, x = target / range.length, y = 1 - x;
+  const double limit = 3 * width;
+  const double slope_begin = std::min(range.length / speed(range.begin), limit);
+  const double slope_end = std::min(range.length / speed(range.end), limit);
+  const double share = x * x * (3 - 2 * x) * width + x * y * (y * slope_begin - x * slope_end);
+  return range.begin + std::clamp(share, 0.0, width);
+}
+
+/// The s in the range whose length from begin is the target: Newton's method, and bisection where
+/// that would leave the bracket.
+double invert(const Speed& speed, const Range& range, double target) {
+  constexpr double precision = 1e-14;
   constexpr int largest_count = 64;  // bisections that use up every bit
-  double low = begin, high = end;
-  double s = begin + (end - begin) * (target / length);
-  for (int i = 0; i < largest_count && low < high; ++i) {
-    const double excess = speed.integral(begin, s) - target;
-    if (std::abs(excess) <= precision * length) break;
+  double low = range.begin, high = range.end;
+  double s = first_guess(speed, range, target);
+  double excess = speed.integral(low, s) - target;
+  for (int i = 0; i < largest_count && std::abs(excess) > precision * range.length; ++i) {
     (excess > 0 ? high : low) = s;
     const double newton = s - excess / speed(s);
-    s = newton > low && newton < high ? newton : (low + high) / 2;
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    excess += speed.integral(s, next);
+    s = next;
   }
   return s;
 }
@@ -131,7 +175,7 @@ Eigen::Vector2d ArcLength::point(double l) const {
   if (segment.degree() == 1) {
     return bezier_point(segment, part.length > 0 ? target / part.length : 0);
   }
-  return bezier_point(segment, invert(Speed(segment), part.begin, part.end, part.length, target));
+  return bezier_point(segment, invert(Speed(segment), {part.begin, part.end, part.length}, target));
 }
 
 }  // namespace wavecurve

@@ -12,7 +12,8 @@ Eigen::Vector2d bezier_point(const BezierSegment& segment, double s) {
   return control.col(0);
 }
 
-Eigen::Matrix2Xd hodograph(const BezierSegment& segment) {
+Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 3> hodograph(
+    const BezierSegment& segment) {
   const int degree = segment.degree();
   return degree * (segment.control.rightCols(degree) - segment.control.leftCols(degree));
 }

@@ -10,7 +10,8 @@ namespace wavecurve {
 Eigen::Vector2d bezier_point(const BezierSegment& segment, double s);
 
 /// The control points of B'(s), a Bezier curve of one degree less: one to three columns.
-Eigen::Matrix2Xd hodograph(const BezierSegment& segment);
+Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, 3> hodograph(
+    const BezierSegment& segment);
 
 /// Unit vectors along the segment at its start and at its end, also where the first or the last
 /// control points coincide; zero for a segment that is a point.

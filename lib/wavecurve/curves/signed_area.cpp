@@ -15,7 +15,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 /// Half the integral of B x B' about the origin given: of degree 5 at most, which Gauss-Legendre
 /// quadrature with 7 points integrates exactly.
 double swept_area(const BezierSegment& segment, const Eigen::Vector2d& origin) {
-  const Eigen::Matrix2Xd derivative = hodograph(segment);
+  const auto derivative = hodograph(segment);
   const auto integrand = [&](double s) {
     Eigen::Vector2d velocity = derivative.col(0);
     if (derivative.cols() == 2) velocity = (1 - s) * derivative.col(0) + s * derivative.col(1);
