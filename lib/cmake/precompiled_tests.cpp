@@ -1,0 +1,1 @@
+// Nothing: CMake compiles the headers that test programs share along with some source.

@@ -1,0 +1,76 @@
+#include "wavecurve/dynamics/initial_value_problem.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace wavecurve {
+
+namespace {
+
+void check_state(const char* name, const Eigen::MatrixXd& state, const InitialValueProblem& p) {
+  if (state.rows() != p.system.samples() || state.cols() != p.displacement.cols()) {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(state.rows()) + " x " +
+                                std::to_string(state.cols()) + ", but must be " +
+                                std::to_string(p.system.samples()) + " x " +
+                                std::to_string(p.displacement.cols()));
+  }
+  if (!state.allFinite()) {
+    throw std::invalid_argument(std::string(name) + " has a value that is not finite");
+  }
+}
+
+void check_times(const Eigen::VectorXd& times) {
+  double last = 0;
+  for (Eigen::Index i = 0; i < times.size(); ++i) {
+    if (!(times[i] >= last) || !std::isfinite(times[i])) {
+      throw std::invalid_argument("time " + std::to_string(i) + " is " + std::to_string(times[i]) +
+                                  ", but must be finite and at least " + std::to_string(last));
+    }
+    last = times[i];
+  }
+}
+
+}  // namespace
+
+void check(const InitialValueProblem& problem) {
+  check_state("the displacement", problem.displacement, problem);
+  if (problem.velocity.size() > 0) check_state("the velocity", problem.velocity, problem);
+  if (problem.rest.size() > 0) check_state("the rest shape", problem.rest, problem);
+  const Force& force = problem.force;
+  if (force.constant.size() > 0) check_state("the constant force", force.constant, problem);
+  for (const HarmonicForce& harmonic : force.harmonic) {
+    check_state("the cosine of a harmonic force", harmonic.cosine, problem);
+    check_state("the sine of a harmonic force", harmonic.sine, problem);
+    if (!std::isfinite(harmonic.omega)) {
+      throw std::invalid_argument("omega of a harmonic force is not finite");
+    }
+  }
+  check_times(problem.times);
+}
+
+Eigen::MatrixXd uniform_density(const LagrangeSystem& system,
+                                const Eigen::Ref<const Eigen::RowVectorXd>& density) {
+  // A constant has no wavelet coefficients, and each level of (2.8) multiplies it by sqrt 2.
+  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(system.samples(), density.cols());
+  coefficients.topRows(system.samples() >> system.levels()).rowwise() =
+      std::pow(2, system.levels() / 2.0) * density;
+  return coefficients;
+}
+
+ForceDensity attraction(const Eigen::Ref<const Eigen::RowVectorXd>& point, double strength,
+                        double softening) {
+  if (!(softening > 0)) {
+    throw std::invalid_argument("softening is " + std::to_string(softening) +
+                                ", but must be above 0");
+  }
+  return [point = Eigen::RowVectorXd(point), strength, softening](
+             double, const Eigen::Ref<const Eigen::MatrixXd>& positions,
+             const Eigen::Ref<const Eigen::MatrixXd>&) {
+    const Eigen::MatrixXd distance = (-positions).rowwise() + point;
+    const Eigen::ArrayXd square = distance.rowwise().squaredNorm().array() + softening * softening;
+    return Eigen::MatrixXd(distance.array().colwise() * (strength * square.pow(-1.5)));
+  };
+}
+
+}  // namespace wavecurve
