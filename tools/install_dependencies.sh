@@ -21,6 +21,7 @@ libflint-dev          header:flint/fmpq_mat.h
 libflint-arb-dev      header:flint/arb.h header:arb.h
 libsvgpp-dev          header:svgpp/svgpp.hpp
 libxml2-dev           header:libxml2/libxml/tree.h
+libpng-dev            header:png.h
 libfmt-dev            header:fmt/format.h
 nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp

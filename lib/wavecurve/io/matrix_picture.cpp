@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/xml_escaped.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -18,26 +20,6 @@ constexpr int shades = 48;
 constexpr int decades_shown = 12;
 constexpr double side = 512;  ///< of the longer edge of the matrix, in user units
 constexpr double left = 72, top = 64, bar_width = 18;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// Shade 1 .. shades, light to dark: a cubehelix (D. A. Green, 2011), whose luminance is linear by
 /// construction.
@@ -129,7 +111,7 @@ std::string draw_borders(const std::vector<Eigen::Index>& borders, double width,
 std::string label(double x, double y, std::string_view anchor, std::string_view text,
                   std::string_view more = "") {
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, more, escaped(text));
+                     anchor, more, xml_escaped(text));
 }
 
 std::string draw_axes(const Eigen::SparseMatrix<double>& matrix, double unit) {
@@ -193,7 +175,7 @@ std::string matrix_picture(const Eigen::SparseMatrix<double>& matrix,
       "font-family=\"sans-serif\" font-size=\"13\">\n",
       left + width + 128, top + height + 52);
   svg += fmt::format("<title id=\"title\">{}</title>\n<desc id=\"desc\">{}</desc>\n",
-                     escaped(text.title), escaped(text.description));
+                     xml_escaped(text.title), xml_escaped(text.description));
   svg += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   svg += label(left, 36, "start", text.title, " font-size=\"16\"");
   svg += fmt::format("<g transform=\"translate({} {})\">\n", left, top);

@@ -1,0 +1,47 @@
+#include "wavecurve/curves/coefficients.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "wavecurve/curves/interpolation.hpp"
+#include "wavecurve/transform/periodic_transform.hpp"
+
+namespace wavecurve {
+
+Contour to_coefficients(const FilterBank<double>& bank, const Contour& samples, int levels,
+                        SampleMode mode) {
+  const PeriodicTransform<double> transform(bank, samples.rows(), levels);
+  Eigen::VectorXd workspace(transform.workspace_size());
+  const Contour finest = mode == SampleMode::interpolate ? interpolate(bank, samples) : samples;
+  Contour coefficients(samples.rows(), 2);
+  for (int column : {0, 1}) {
+    transform.forward(finest.col(column), coefficients.col(column), workspace);
+  }
+  return coefficients;
+}
+
+Contour to_samples(const FilterBank<double>& bank, const Contour& coefficients, int levels,
+                   SampleMode mode) {
+  const PeriodicTransform<double> transform(bank, coefficients.rows(), levels);
+  Eigen::VectorXd workspace(transform.workspace_size());
+  Contour finest(coefficients.rows(), 2);
+  for (int column : {0, 1}) {
+    transform.inverse(coefficients.col(column), finest.col(column), workspace);
+  }
+  return mode == SampleMode::interpolate ? values_at_integers(bank, finest) : finest;
+}
+
+Contour approximation(const Contour& coefficients, Eigen::Index scale) {
+  if (scale < 1 || scale > coefficients.rows()) {
+    throw std::invalid_argument(
+        fmt::format("scale is {}, but must be from 1 to {}, the number of "
+                    "coefficients",
+                    scale, coefficients.rows()));
+  }
+  Contour result = coefficients;
+  result.bottomRows(result.rows() - scale).setZero();
+  return result;
+}
+
+}  // namespace wavecurve

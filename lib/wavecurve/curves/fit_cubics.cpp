@@ -1,0 +1,213 @@
+#include "wavecurve/curves/fit_cubics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace wavecurve {
+
+namespace {
+
+using Eigen::Index;
+/// One row a point (or vertex), columns x and y of each key in turn.
+using Columns = Eigen::MatrixXd;
+
+/// A turn this much sharper than those beside it, in any key, is a corner.
+constexpr double corner_turn = std::numbers::pi / 6;
+/// Segments that no point lies inside leave tangents undetermined; this share of the weight of a
+/// point draws them towards the chord, too little to show in the fit of others.
+constexpr double chord_weight = 1e-6;
+
+/// The cubic Hermite polynomials at s, as factors of the values and of the tangents (for a unit
+/// interval) at its ends.
+struct Hermite {
+  explicit Hermite(double s)
+      : value_start((1 + 2 * s) * (1 - s) * (1 - s)),
+        tangent_start(s * (1 - s) * (1 - s)),
+        value_end(s * s * (3 - 2 * s)),
+        tangent_end(s * s * (s - 1)) {}
+  double value_start, tangent_start, value_end, tangent_end;
+};
+
+/// The vertices of a fit: indices of points, increasing, and the unknowns that their tangents are.
+struct Knots {
+  Index points = 0;
+  std::vector<Index> at;
+  std::vector<bool> corner;  ///< of every point
+
+  std::size_t next(std::size_t i) const { return i + 1 == at.size() ? 0 : i + 1; }
+  /// Points from a vertex to the next.
+  Index span(std::size_t i) const {
+    return at[next(i)] - at[i] + (i + 1 == at.size() ? points : 0);
+  }
+};
+
+Columns columns_of(const std::vector<Contour>& keys) {
+  Columns columns(keys.front().rows(), 2 * static_cast<Index>(keys.size()));
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (keys[k].rows() != columns.rows()) {
+      throw std::invalid_argument("fit of cubics: key " + std::to_string(k) + " has " +
+                                  std::to_string(keys[k].rows()) + " points, key 0 has " +
+                                  std::to_string(columns.rows()));
+    }
+    columns.middleCols<2>(2 * static_cast<Index>(k)) = keys[k];
+  }
+  return columns;
+}
+
+/// The turn at every point of a contour, 0 .. pi; where an edge has no length, none.
+Eigen::VectorXd turns(const Eigen::Ref<const Eigen::MatrixX2d>& points) {
+  const Index n = points.rows();
+  Eigen::VectorXd result(n);
+  for (Index j = 0; j < n; ++j) {
+    const Eigen::RowVector2d before = points.row(j) - points.row((j + n - 1) % n);
+    const Eigen::RowVector2d after = points.row((j + 1) % n) - points.row(j);
+    const double cross = before.x() * after.y() - before.y() * after.x();
+    result[j] = std::abs(std::atan2(cross, before.dot(after)));
+  }
+  return result;
+}
+
+std::vector<bool> corners(const Columns& points) {
+  const Index n = points.rows();
+  std::vector<bool> corner(static_cast<std::size_t>(n), false);
+  for (Index key = 0; key < points.cols() / 2; ++key) {
+    const Eigen::VectorXd turn = turns(points.middleCols<2>(2 * key));
+    for (Index j = 0; j < n; ++j) {
+      const double beside = (turn[(j + n - 1) % n] + turn[(j + 1) % n]) / 2;
+      if (turn[j] - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
+    }
+  }
+  return corner;
+}
+
+/// The corners and four points at equal distances, of which the refinement starts.
+Knots first_knots(const Columns& points) {
+  Knots knots{points.rows(), {}, corners(points)};
+  for (Index j = 0; j < knots.points; ++j) {
+    const bool quarter = j * 4 / knots.points != (j - 1) * 4 / knots.points || j == 0;
+    if (quarter || knots.corner[static_cast<std::size_t>(j)]) knots.at.push_back(j);
+  }
+  return knots;
+}
+
+/// The tangents of a vertex, per point: one unknown where it is smooth, two at a corner.
+struct TangentIndex {
+  explicit TangentIndex(const Knots& knots) {
+    for (Index at : knots.at) {
+      in.push_back(count);
+      if (knots.corner[static_cast<std::size_t>(at)]) ++count;
+      out.push_back(count++);
+    }
+  }
+  std::vector<int> in, out;
+  int count = 0;
+};
+
+/// The tangents of least squares: rows as in the index.
+Columns tangents(const Columns& points, const Knots& knots, const TangentIndex& index) {
+  std::vector<Eigen::Triplet<double>> entries;
+  Columns right = Columns::Zero(index.count, points.cols());
+  for (std::size_t i = 0; i < knots.at.size(); ++i) {
+    const int a = index.out[i], b = index.in[knots.next(i)];
+    const Index span = knots.span(i);
+    const double h = static_cast<double>(span);
+    const auto start = points.row(knots.at[i]), end = points.row(knots.at[knots.next(i)]);
+    double aa = chord_weight * h * h, ab = 0, bb = aa;
+    right.row(a) += chord_weight * h * (end - start);
+    right.row(b) += chord_weight * h * (end - start);
+    for (Index j = 1; j < span; ++j) {
+      const Hermite basis(static_cast<double>(j) / h);
+      const double p = h * basis.tangent_start, q = h * basis.tangent_end;
+      const Eigen::RowVectorXd rest = points.row((knots.at[i] + j) % knots.points) -
+                                      basis.value_start * start - basis.value_end * end;
+      aa += p * p;
+      ab += p * q;
+      bb += q * q;
+      right.row(a) += p * rest;
+      right.row(b) += q * rest;
+    }
+    entries.insert(entries.end(), {{a, a, aa}, {b, b, bb}, {a, b, ab}, {b, a, ab}});
+  }
+  Eigen::SparseMatrix<double> normal(index.count, index.count);
+  normal.setFromTriplets(entries.begin(), entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(right);
+}
+
+/// Three rows a vertex, see the header.
+Columns control_points(const Columns& points, const Knots& knots) {
+  const TangentIndex index(knots);
+  const Columns tangent = tangents(points, knots, index);
+  Columns control(3 * static_cast<Index>(knots.at.size()), points.cols());
+  for (std::size_t i = 0; i < knots.at.size(); ++i) {
+    const double third = static_cast<double>(knots.span(i)) / 3;
+    const Index row = 3 * static_cast<Index>(i), end = knots.at[knots.next(i)];
+    control.row(row) = points.row(knots.at[i]);
+    control.row(row + 1) = points.row(knots.at[i]) + third * tangent.row(index.out[i]);
+    control.row(row + 2) = points.row(end) - third * tangent.row(index.in[knots.next(i)]);
+  }
+  return control;
+}
+
+/// The largest distance of a point inside the segment after vertex i from the cubic, over all keys.
+double deviation(const Columns& points, const Knots& knots, const Columns& control, std::size_t i) {
+  const Index row = 3 * static_cast<Index>(i), last = 3 * static_cast<Index>(knots.next(i));
+  const Index span = knots.span(i);
+  double largest = 0;
+  for (Index j = 1; j < span; ++j) {
+    const double s = static_cast<double>(j) / static_cast<double>(span), r = 1 - s;
+    const Eigen::RowVectorXd away =
+        r * r * r * control.row(row) + 3 * r * r * s * control.row(row + 1) +
+        3 * r * s * s * control.row(row + 2) + s * s * s * control.row(last) -
+        points.row((knots.at[i] + j) % knots.points);
+    for (Index key = 0; key < points.cols() / 2; ++key) {
+      largest = std::max(largest, std::hypot(away[2 * key], away[2 * key + 1]));
+    }
+  }
+  return largest;
+}
+
+/// The knots with every segment halved that misses the tolerance; a segment of one step fits.
+Knots refined(const Columns& points, const Knots& knots, const Columns& control, double tolerance) {
+  Knots finer{knots.points, {}, knots.corner};
+  for (std::size_t i = 0; i < knots.at.size(); ++i) {
+    finer.at.push_back(knots.at[i]);
+    if (deviation(points, knots, control, i) <= tolerance) continue;
+    finer.at.push_back((knots.at[i] + knots.span(i) / 2) % knots.points);
+  }
+  std::sort(finer.at.begin(), finer.at.end());
+  return finer;
+}
+
+}  // namespace
+
+std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance) {
+  if (keys.empty() || keys.front().rows() == 0) {
+    throw std::invalid_argument("fit of cubics: a contour without points");
+  }
+  if (!(tolerance >= 0)) {
+    throw std::invalid_argument("fit of cubics: tolerance " + std::to_string(tolerance) +
+                                " is below 0");
+  }
+  const Columns points = columns_of(keys);
+  Knots knots = first_knots(points);
+  Columns control = control_points(points, knots);
+  for (std::size_t before = 0; before != knots.at.size();) {
+    before = knots.at.size();
+    knots = refined(points, knots, control, tolerance);
+    control = control_points(points, knots);
+  }
+  std::vector<Contour> result;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    result.emplace_back(control.middleCols<2>(2 * static_cast<Index>(k)));
+  }
+  return result;
+}
+
+}  // namespace wavecurve

@@ -1,0 +1,320 @@
+#include "wavecurve/io/svg/read_svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "wavecurve/io/svg/svg_shape.hpp"
+#include "wavecurve/io/svg/svg_style.hpp"
+#include "wavecurve/io/svg/svg_values.hpp"
+#include "wavecurve/io/svg/text.hpp"
+#include "wavecurve/io/svg/tidy_outline.hpp"
+
+namespace wavecurve::io {
+
+namespace {
+
+constexpr std::size_t most_elements = 1'000'000, most_layers = 100'000, most_segments = 10'000'000;
+
+/// What holds where an element is drawn.
+struct Scene {
+  Eigen::Affine2d transform = Eigen::Affine2d::Identity();
+  Style style;
+  Viewport viewport;
+  std::string_view use_id;  ///< of the <use> that the element is drawn for, directly
+};
+
+std::string name_of(const XmlElement& element) {
+  const std::string_view id = element.attribute("id");
+  return id.empty() ? element.name : fmt::format("{} '{}'", element.name, shown(id));
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Draws nothing where it stands.
+bool is_never_drawn(std::string_view name) {
+  return name.empty() || is_one_of(name, {"defs", "symbol", "title", "desc", "metadata", "style",
+                                          "linearGradient", "radialGradient", "stop", "clipPath",
+                                          "mask", "marker", "pattern", "filter", "view"});
+}
+
+class SvgReader {
+ public:
+  explicit SvgReader(const XmlElement& root) : root_(root) { index(root); }
+
+  DrawingFile read() {
+    if (root_.name != "svg") {
+      throw std::invalid_argument(
+          fmt::format("line {}: the root element is {}, not svg", root_.line, root_.name));
+    }
+    Scene scene;
+    read_view_box(scene);
+    draw(root_, scene);
+    if (file_.drawing.layers.empty()) {
+      throw std::invalid_argument(nothing_drawn_.empty() ? "nothing is painted: no path or shape"
+                                                         : "nothing is painted: " + nothing_drawn_);
+    }
+    if (file_.drawing.view_box.width == 0) fit_view_box();
+    file_.warnings = warnings_.list;
+    return std::move(file_);
+  }
+
+ private:
+  void index(const XmlElement& element) {
+    if (const auto id = element.attribute("id"); !id.empty()) elements_.emplace(id, &element);
+    if (element.name == "style") sheet_.add(element.text, warnings_);
+    for (const auto& child : element.children) index(*child);
+  }
+
+  void read_view_box(Scene& scene) {
+    ViewBox& box = file_.drawing.view_box;
+    at(root_, [&] {
+      if (const auto text = trimmed(root_.attribute("viewBox")); !text.empty()) {
+        box = parse_view_box(text);
+      } else {
+        // Percentages refer to a window that is not there.
+        const auto width = parse_length(root_.attribute("width"), 0);
+        const auto height = parse_length(root_.attribute("height"), 0);
+        if (width && height && *width > 0 && *height > 0) box = {0, 0, *width, *height};
+      }
+    });
+    scene.viewport = {box.width, box.height};
+  }
+
+  void fit_view_box() {
+    Eigen::AlignedBox2d box;
+    for (const Layer& layer : file_.drawing.layers) {
+      for (const Subpath& subpath : layer.subpaths) {
+        for (const BezierSegment& segment : subpath.segments) {
+          for (Eigen::Index i = 0; i < segment.control.cols(); ++i) {
+            box.extend(segment.control.col(i));
+          }
+        }
+      }
+    }
+    file_.drawing.view_box = {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
+  }
+
+  /// Adds to the messages of an action where in the file it happened.
+  template <typename Action>
+  void at(const XmlElement& element, const Action& action) const {
+    try {
+      action();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(
+          fmt::format("line {}: {}: {}", element.line, name_of(element), error.what()));
+    }
+  }
+  [[noreturn]] void refuse(const XmlElement& element, const std::string& defect) const {
+    throw std::invalid_argument(
+        fmt::format("line {}: {}: {}", element.line, name_of(element), defect));
+  }
+
+  void draw(const XmlElement& element, Scene scene) {
+    if (++elements_drawn_ > most_elements) {
+      refuse(element, fmt::format("more than {} elements are drawn", most_elements));
+    }
+    if (++depth_ > deepest_nesting) {
+      refuse(element, fmt::format("more than {} elements in each other", deepest_nesting));
+    }
+    const StyleSource source{sheet_, elements_, warnings_};
+    scene.style = style_of(element, scene.style, scene.viewport, source);
+    if (scene.style.displayed) {
+      at_transform(element, scene);
+      draw_kind(element, scene);
+    }
+    --depth_;
+  }
+
+  void at_transform(const XmlElement& element, Scene& scene) const {
+    const std::string_view text = element.attribute("transform");
+    if (text.empty()) return;
+    at(element, [&] { scene.transform = scene.transform * parse_transform(text); });
+  }
+
+  void draw_kind(const XmlElement& element, const Scene& scene) {
+    if (is_shape(element)) {
+      draw_shape(element, scene);
+    } else if (element.name == "use") {
+      draw_use(element, scene);
+    } else if (element.name == "svg" && &element != &root_) {
+      draw_nested(element, scene, element);
+    } else if (is_one_of(element.name, {"svg", "g", "a", "switch"})) {
+      draw_children(element, scene);
+    } else if (!is_never_drawn(element.name)) {
+      warnings_.add("the element " + shown(element.name) + " is not supported");
+    }
+  }
+
+  void draw_children(const XmlElement& element, Scene scene) {
+    scene.use_id = {};
+    for (const auto& child : element.children) {
+      if (!is_never_drawn(child->name)) draw(*child, scene);
+    }
+  }
+
+  void draw_use(const XmlElement& use, Scene scene) {
+    const std::string_view reference = use.attribute("href");
+    const auto found =
+        reference.starts_with('#') ? elements_.find(reference.substr(1)) : elements_.end();
+    if (found == elements_.end()) {
+      warnings_.add("use of '" + shown(reference) + "', which is not in the file");
+      return;
+    }
+    const XmlElement& target = *found->second;
+    if (std::find(used_.begin(), used_.end(), &target) != used_.end()) {
+      refuse(use, fmt::format("uses '{}' within itself", shown(reference)));
+    }
+    const auto coordinate = [&](std::string_view name, double hundred_percent) {
+      return parse_length(use.attribute(name), hundred_percent).value_or(0);
+    };
+    scene.transform.translate(Eigen::Vector2d(coordinate("x", scene.viewport.width),
+                                              coordinate("y", scene.viewport.height)));
+    scene.use_id = use.attribute("id");
+    used_.push_back(&target);
+    if (target.name == "symbol" || target.name == "svg") {
+      draw_symbol(target, scene, use);
+    } else {
+      draw(target, scene);
+    }
+    used_.pop_back();
+  }
+
+  /// A symbol has no size but the one of its <use>.
+  void draw_symbol(const XmlElement& symbol, Scene scene, const XmlElement& use) {
+    const StyleSource source{sheet_, elements_, warnings_};
+    scene.style = style_of(symbol, scene.style, scene.viewport, source);
+    if (scene.style.displayed) draw_nested(symbol, scene, use);
+  }
+
+  /// Draws into a viewport of its own, whose size the element `sized` gives.
+  void draw_nested(const XmlElement& element, Scene scene, const XmlElement& sized) {
+    const auto length = [&](std::string_view name, double hundred_percent, double otherwise) {
+      return parse_length(sized.attribute(name), hundred_percent).value_or(otherwise);
+    };
+    const Viewport& outer = scene.viewport;
+    ViewBox shown_at{0, 0, length("width", outer.width, outer.width),
+                     length("height", outer.height, outer.height)};
+    if (&element == &sized) {
+      shown_at.x = length("x", outer.width, 0);
+      shown_at.y = length("y", outer.height, 0);
+    }
+    if (!(shown_at.width > 0) || !(shown_at.height > 0)) return;
+    ViewBox box{0, 0, shown_at.width, shown_at.height};
+    at(element, [&] {
+      if (const auto text = trimmed(element.attribute("viewBox")); !text.empty()) {
+        box = parse_view_box(text);
+      }
+    });
+    scene.transform = scene.transform *
+                      view_box_transform(box, shown_at, element.attribute("preserveAspectRatio"));
+    scene.viewport = {box.width, box.height};
+    draw_children(element, scene);
+  }
+
+  void draw_shape(const XmlElement& shape, const Scene& scene) {
+    const int number = ++shapes_of_name_[shape.name];
+    std::string id(scene.use_id.empty() ? shape.attribute("id") : scene.use_id);
+    if (id.empty()) id = fmt::format("{}-{}", shape.name, number);
+    const double scale = std::sqrt(std::abs(scene.transform.linear().determinant()));
+    Layer layer{id, {}, paint_of(scene.style, scale)};
+    if (!scene.style.visible || (!layer.paint.fill && !layer.paint.stroke)) {
+      nothing_drawn_ = fmt::format("line {}: {} has neither fill nor stroke", shape.line, id);
+      return;
+    }
+    at(shape, [&] {
+      layer.subpaths = outline_of(shape, scene.viewport);
+      transform_outline(layer.subpaths, scene.transform);
+    });
+    std::erase_if(layer.subpaths, has_no_length);
+    if (layer.subpaths.empty()) {
+      nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, id);
+      warnings_.add(nothing_drawn_);
+      return;
+    }
+    warn_of_uneven_stroke(layer.paint, scene.transform);
+    count_segments(shape, layer);
+    add(shape, std::move(layer));
+  }
+
+  void warn_of_uneven_stroke(const Paint& paint, const Eigen::Affine2d& transform) {
+    const Eigen::Matrix2d square = transform.linear().transpose() * transform.linear();
+    const double mean = square.trace() / 2;
+    if (paint.stroke && (square - mean * Eigen::Matrix2d::Identity()).norm() > 1e-6 * mean) {
+      warnings_.add("a stroke is scaled unevenly; its mean width is used");
+    }
+  }
+
+  void count_segments(const XmlElement& shape, const Layer& layer) {
+    for (const Subpath& subpath : layer.subpaths) segments_ += subpath.segments.size();
+    if (segments_ > most_segments) {
+      refuse(shape, fmt::format("more than {} segments are drawn", most_segments));
+    }
+    if (file_.drawing.layers.size() + 2 > most_layers) {
+      refuse(shape, fmt::format("more than {} layers are drawn", most_layers));
+    }
+  }
+
+  /// A fill closes its subpaths, a stroke does not: together they are two layers.
+  void add(const XmlElement& shape, Layer layer) {
+    const auto is_open = [](const Subpath& subpath) { return !subpath.closed; };
+    const bool open = std::any_of(layer.subpaths.begin(), layer.subpaths.end(), is_open);
+    if (!open || !layer.paint.fill) return append(std::move(layer));
+    Layer stroke = layer;
+    stroke.paint.fill.reset();
+    layer.paint.stroke.reset();
+    std::erase_if(layer.subpaths, is_straight_line);
+    for (Subpath& subpath : layer.subpaths) {
+      if (subpath.closed) continue;
+      BezierSegment closing;
+      closing.control.resize(2, 2);
+      closing.control << subpath.segments.back().control.rightCols<1>(),
+          subpath.segments.front().control.leftCols<1>();
+      subpath.segments.push_back(closing);
+      subpath.closed = true;
+    }
+    const bool filled = !layer.subpaths.empty(), stroked = stroke.paint.stroke.has_value();
+    if (!filled && !stroked) {
+      nothing_drawn_ = fmt::format("line {}: {} is a line without stroke", shape.line, layer.id);
+      warnings_.add(nothing_drawn_);
+      return;
+    }
+    if (filled && stroked) stroke.id += "-stroke";
+    if (filled) append(std::move(layer));
+    if (stroked) append(std::move(stroke));
+  }
+
+  void append(Layer layer) {
+    const std::string wanted = layer.id;
+    for (int number = ++times_wanted_[wanted]; !ids_.insert(layer.id).second; ++number) {
+      layer.id = fmt::format("{}-{}", wanted, std::max(2, number));
+    }
+    file_.drawing.layers.push_back(std::move(layer));
+  }
+
+  const XmlElement& root_;
+  ElementIndex elements_;
+  StyleSheet sheet_;
+  Warnings warnings_;
+  DrawingFile file_;
+  std::string nothing_drawn_;  ///< why the last shape that is not painted is not
+  std::map<std::string, int, std::less<>> shapes_of_name_, times_wanted_;
+  std::set<std::string> ids_;
+  std::vector<const XmlElement*> used_;
+  std::size_t elements_drawn_ = 0, segments_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+DrawingFile read_svg(std::string_view text) {
+  const auto root = read_xml(text);
+  return SvgReader(*root).read();
+}
+
+}  // namespace wavecurve::io

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wavecurve::io {
+
+/// An element of an XML document.
+struct XmlElement {
+  std::string name;  ///< without prefix; empty for elements that are not of SVG
+  std::map<std::string, std::string, std::less<>> attributes;  ///< xlink:href is href
+  std::string text;                                            ///< of the element itself
+  int line = 0;
+  const XmlElement* parent = nullptr;
+  std::vector<std::unique_ptr<XmlElement>> children;
+
+  /// The value of an attribute, or an empty text.
+  std::string_view attribute(std::string_view key) const;
+};
+
+/// How many elements may lie in each other.
+constexpr int deepest_nesting = 256;
+
+/// The tree of a document. Nothing outside of it is read, and no entity is expanded. Throws
+/// std::invalid_argument naming the line of what is not XML, of a declared entity or attribute, or
+/// of an element that lies too deep.
+std::unique_ptr<XmlElement> read_xml(std::string_view bytes);
+
+}  // namespace wavecurve::io

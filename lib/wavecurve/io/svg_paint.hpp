@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wavecurve/curves/drawing.hpp"
+
+namespace wavecurve::io {
+
+/// A colour as #rrggbb.
+std::string hex_colour(const Colour& colour);
+
+/// A paint as SVG presentation attributes, name and value, in a fixed order; always the same names
+/// for paints that agree in having a fill and a stroke. Joins and ends are round, as those of
+/// every renderer of the project.
+std::vector<std::pair<std::string, std::string>> svg_paint(const Paint& paint);
+
+}  // namespace wavecurve::io

@@ -1,0 +1,31 @@
+#include "wavecurve/motion/there_and_back.hpp"
+
+#include <cstddef>
+
+namespace wavecurve {
+
+namespace {
+
+template <class Key>
+void append_reversed(std::vector<Key>& keys, double duration) {
+  for (std::size_t k = keys.size(); k-- > 0;) {
+    if (keys[k].time >= duration) continue;  // the turning point is there already
+    Key key = keys[k];
+    key.time = 2 * duration - key.time;
+    keys.push_back(std::move(key));
+  }
+}
+
+}  // namespace
+
+Animation there_and_back(const Animation& animation) {
+  Animation result = animation;
+  result.duration = 2 * animation.duration;
+  for (AnimatedLayer& layer : result.layers) {
+    append_reversed(layer.outline, animation.duration);
+    append_reversed(layer.paint, animation.duration);
+  }
+  return result;
+}
+
+}  // namespace wavecurve
