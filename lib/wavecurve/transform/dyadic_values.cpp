@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
+
+#include "wavecurve/transform/refinement_mask.hpp"
 
 namespace wavecurve {
 
@@ -16,53 +17,11 @@ using Eigen::Index;
 
 constexpr int largest_level = 24;
 
-void check(const FilterBank<double>& bank, int level, int d) {
+void check(int level) {
   if (level < 0 || level > largest_level) {
     throw std::invalid_argument(
         fmt::format("level is {}, but must be from 0 to {}", level, largest_level));
   }
-  if (d < 0) throw std::invalid_argument(fmt::format("d is {}, but must be at least 0", d));
-  if (d >= bank.vanishing_moments || d >= bank.sobolev_exponent) {
-    throw std::domain_error(fmt::format(
-        "{}: the derivative of order {} is no function: the Sobolev exponent is {:.4g}, and {} "
-        "polynomial degrees are reproduced",
-        bank.name, d, bank.sobolev_exponent, bank.vanishing_moments));
-  }
-}
-
-/// mask / ((1 + z) / 2). Both ends are divided towards the middle, which halves the longest sum.
-std::vector<double> divide_by_average(const std::vector<double>& mask) {
-  const std::size_t size = mask.size() - 1;
-  std::vector<double> quotient(size);
-  for (std::size_t k = 0; k < size / 2; ++k) {
-    quotient[k] = 2 * mask[k] - (k == 0 ? 0 : quotient[k - 1]);
-  }
-  for (std::size_t k = size; k-- > size / 2;) {
-    quotient[k] = 2 * mask[k + 1] - (k + 1 == size ? 0 : quotient[k + 1]);
-  }
-  return quotient;
-}
-
-/// chi at 0 .. size - 1 for chi(x) = sum_k mask_k chi(2x - k), sum_l chi(l) = 1.
-Eigen::VectorXd integer_values(const std::vector<double>& mask) {
-  const Index size = static_cast<Index>(mask.size()), inner = size - 2;
-  if (inner < 1) {
-    throw std::domain_error(
-        fmt::format("a refinable function of {} coefficients is not continuous", size));
-  }
-  Eigen::MatrixXd system(inner, inner);
-  for (Index l = 1; l <= inner; ++l) {
-    for (Index m = 1; m <= inner; ++m) {
-      const Index k = 2 * l - m;
-      const double coefficient = k >= 0 && k < size ? mask[static_cast<std::size_t>(k)] : 0;
-      system(l - 1, m - 1) = coefficient - (l == m ? 1 : 0);
-    }
-  }
-  // The columns sum to zero, so that any equation can give way to the scale.
-  system.row(inner - 1).setOnes();
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(size);
-  values.segment(1, inner) = system.fullPivLu().solve(Eigen::VectorXd::Unit(inner, inner - 1));
-  return values;
 }
 
 /// The values at half the spacing: the old points stay, those between follow from (2.1).
@@ -98,10 +57,8 @@ double DyadicValues::point(Index i) const {
 }
 
 DyadicValues scaling_values(const FilterBank<double>& bank, int level, int d) {
-  check(bank, level, d);
-  std::vector<double> mask = bank.synthesis_low.taps;
-  for (double& tap : mask) tap *= std::sqrt(2.0);
-  for (int i = 0; i < d; ++i) mask = divide_by_average(mask);
+  check(level);
+  const std::vector<double> mask = refinement_mask(bank, d);
   Eigen::VectorXd values = integer_values(mask);
   for (int j = 0; j < level; ++j) values = refine(values, mask, j);
   for (int i = 0; i < d; ++i) values = backward_difference(values, level);
@@ -109,7 +66,7 @@ DyadicValues scaling_values(const FilterBank<double>& bank, int level, int d) {
 }
 
 DyadicValues wavelet_values(const FilterBank<double>& bank, int level, int d) {
-  check(bank, level, d);
+  check(level);
   const int phi_level = std::max(level - 1, 0);
   const DyadicValues phi = scaling_values(bank, phi_level, d);
   const Filter<double>& high = bank.synthesis_high;
