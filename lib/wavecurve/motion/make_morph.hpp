@@ -30,7 +30,7 @@ struct MorphOptions {
 /// uniformly to fit it, as a player fits it to the screen. Layers are matched by match_layers and
 /// their contours by pair_contours; a layer of one drawing alone grows from or shrinks to a point
 /// of what lies there in the other. Contours are sampled by arc length, filled ones close, and
-/// transformed down to four control points. Painting order is that of the source.
+/// transformed down to four control points.
 /// Throws std::invalid_argument for samples that are no power of two, 4 .. 2^24, a map or a start
 /// that fits no layer, and a drawing without layers.
 Morph make_morph(const Drawing& source, const Drawing& destination, const MorphOptions& options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/motion/assignment.hpp"
 #include "wavecurve/motion/oklab.hpp"
+#include "wavecurve/motion/painting_order.hpp"
 
 namespace wavecurve {
 
@@ -65,10 +67,39 @@ void match_by_map(const Layers& source, const Layers& destination, const LayerMa
   }
 }
 
-void match_by_id(const Layers& source, const Layers& destination, Matching& matching) {
+/// An id without the number at its end.
+std::string stem(const std::string& id) {
+  const std::size_t end = id.find_last_not_of("0123456789");
+  return end == std::string::npos ? "" : id.substr(0, id.find_last_not_of("-_", end) + 1);
+}
+
+bool is_numbered(const std::string& id) {
+  return !id.empty() && id.back() >= '0' && id.back() <= '9';
+}
+
+/// The ids, empty where they are mere numbers: they tell the place in the file, not what a layer
+/// is.
+std::vector<std::string> names(const Layers& layers) {
+  static const std::set<std::string> elements{"path", "rect",     "circle", "ellipse",
+                                              "line", "polyline", "polygon"};
+  const bool all_numbered = std::all_of(layers.begin(), layers.end(), [&](const auto& layer) {
+    return is_numbered(layer.id) && stem(layer.id) == stem(layers.front().id);
+  });
+  std::vector<std::string> result;
+  for (const FrameLayer& layer : layers) {
+    const bool is_number =
+        all_numbered || (is_numbered(layer.id) && elements.contains(stem(layer.id)));
+    result.push_back(is_number ? "" : layer.id);
+  }
+  return result;
+}
+
+void match_by_name(const Layers& source, const Layers& destination, Matching& matching) {
+  const auto source_names = names(source), destination_names = names(destination);
   for (std::size_t s = 0; s < source.size(); ++s) {
+    if (source_names[s].empty()) continue;
     for (std::size_t d = 0; d < destination.size(); ++d) {
-      if (source[s].id == destination[d].id && matching.is_free(s, d)) matching.match(s, d);
+      if (source_names[s] == destination_names[d] && matching.is_free(s, d)) matching.match(s, d);
     }
   }
 }
@@ -118,22 +149,14 @@ std::vector<LayerMatch> match_layers(const Layers& source, const Layers& destina
                                      double diagonal, const LayerMap& map) {
   Matching matching{Partners(source.size()), Partners(destination.size())};
   match_by_map(source, destination, map, matching);
-  match_by_id(source, destination, matching);
+  match_by_name(source, destination, matching);
   match_by_cost(source, destination, diagonal, matching);
   std::vector<LayerMatch> matches;
   for (std::size_t s = 0; s < source.size(); ++s) matches.push_back({s, matching.of_source[s]});
-  // Each of the destination alone goes right above the layer below it there.
   for (std::size_t d = 0; d < destination.size(); ++d) {
-    if (matching.of_destination[d]) continue;
-    auto place = matches.begin();
-    if (d > 0) {
-      place = std::find_if(matches.begin(), matches.end(),
-                           [&](const LayerMatch& match) { return match.destination == d - 1; });
-      ++place;
-    }
-    matches.insert(place, {std::nullopt, d});
+    if (!matching.of_destination[d]) matches.push_back({std::nullopt, d});
   }
-  return matches;
+  return painting_order(matches, source, destination);
 }
 
 }  // namespace wavecurve

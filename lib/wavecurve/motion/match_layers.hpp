@@ -25,8 +25,11 @@ using LayerMap = std::vector<std::pair<std::string, std::string>>;
 double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal);
 
 /// Matches the layers of two drawings: those of the map, then those of equal ids, then as many of
-/// the rest as there are on both sides, by the least sum of matching_cost. In painting order of the
-/// source; layers of the destination alone come behind those that they cover there.
+/// the rest as there are on both sides, by the least sum of matching_cost. In painting_order.
+///
+/// Ids that only number the layers say nothing: those of a drawing whose layers all have one stem,
+/// such as L00, L01, L02, and those of an SVG element's name and a number, such as path-3, which
+/// read_drawing gives to what has none.
 /// Throws std::invalid_argument for a map that names an unknown layer, or one twice.
 std::vector<LayerMatch> match_layers(const std::vector<FrameLayer>& source,
                                      const std::vector<FrameLayer>& destination, double diagonal,
