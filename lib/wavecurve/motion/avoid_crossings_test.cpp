@@ -1,8 +1,10 @@
 #include "wavecurve/motion/avoid_crossings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -31,14 +33,25 @@ Drawing drawing(const Contour& points) {
   return {{0, 0, 10, 10}, {layer}};
 }
 
-/// A comb with teeth of a length, upwards or downwards: combs that point against each other cross
-/// on the way.
-Drawing comb(int teeth, double length) {
-  Contour points(2 * teeth + 2, 2);
-  for (int i = 0; i < 2 * teeth; ++i)
-    points.row(i) << 1 + 8.0 * i / (2 * teeth - 1), i % 2 * length;
-  points.row(2 * teeth) << 9, 9;
-  points.row(2 * teeth + 1) << 1, 9;
+/// A star of n rays, and a band that winds inwards: their morphs cross at most scales.
+Drawing star(int n) {
+  Contour points(2 * n, 2);
+  for (int i = 0; i < 2 * n; ++i) {
+    const double t = std::numbers::pi * i / n, radius = i % 2 == 0 ? 4.5 : 1;
+    points.row(i) << 5 + radius * std::sin(t), 5 - radius * std::cos(t);
+  }
+  return drawing(points);
+}
+
+Drawing spiral(double turns) {
+  constexpr int half = 200;
+  Contour points(2 * half, 2);
+  for (int i = 0; i < half; ++i) {
+    const double share = i / (half - 1.0), t = 2 * std::numbers::pi * turns * share;
+    const double outer = 4.5 - 4 * share, inner = std::max(outer - 1 / turns, 0.1);
+    points.row(i) << 5 + outer * std::cos(t), 5 + outer * std::sin(t);
+    points.row(2 * half - 1 - i) << 5 + inner * std::cos(t), 5 + inner * std::sin(t);
+  }
   return drawing(points);
 }
 
@@ -52,7 +65,7 @@ std::vector<Morph> alternatives(const Drawing& a, const Drawing& b, Detail detai
 }
 
 TEST(Crossings, CountsThoseOfTheFrames) {
-  const auto morphs = alternatives(comb(9, 8), comb(4, 8), Detail::blend, 256);
+  const auto morphs = alternatives(spiral(2), star(5), Detail::blend, 256);
   const Animation animation = animate(morphs[0]);
   const auto counts = crossings(morphs[0], morphs[0].layers[0], tenths);
   for (std::size_t i = 0; i < tenths.size(); ++i) {
@@ -80,7 +93,7 @@ TEST(Crossings, OfAStrokeThereAndBackCountOnce) {
 
 TEST(AvoidCrossings, TakesTheFinestScaleWithoutAny) {
   for (const Detail detail : {Detail::drop, Detail::stage}) {
-    const auto morphs = alternatives(comb(9, 8), comb(4, 8), detail, 256);
+    const auto morphs = alternatives(spiral(2), star(5), detail, 1024);
     const ChosenMorph chosen = avoid_crossings(morphs, tenths);
     const ScaleChoice& choice = chosen.choices[0];
     EXPECT_EQ(total(chosen.morph, chosen.morph.layers[0]), choice.crossings);
@@ -96,10 +109,10 @@ TEST(AvoidCrossings, TakesTheFinestScaleWithoutAny) {
 }
 
 TEST(AvoidCrossings, IsNeverWorseThanFullResolution) {
-  for (const int teeth : {2, 3, 5, 12}) {
-    const auto morphs = alternatives(comb(teeth, 8.9), comb(7, 8.9), Detail::stage, 128);
+  for (const double turns : {1.2, 1.5, 3.0}) {
+    const auto morphs = alternatives(spiral(turns), star(7), Detail::stage, 128);
     const ChosenMorph chosen = avoid_crossings(morphs, tenths);
-    EXPECT_LE(chosen.choices[0].crossings, total(morphs[0], morphs[0].layers[0])) << teeth;
+    EXPECT_LE(chosen.choices[0].crossings, total(morphs[0], morphs[0].layers[0])) << turns;
   }
 }
 
