@@ -18,7 +18,8 @@ namespace wavecurve::io {
 
 namespace {
 
-constexpr std::size_t most_elements = 1'000'000, most_layers = 100'000, most_segments = 10'000'000;
+constexpr std::size_t most_layers = 100'000, most_segments = 4'000'000;
+constexpr int most_elements_drawn = 1'000'000;
 
 /// What holds where an element is drawn.
 struct Scene {
@@ -103,8 +104,8 @@ class SvgReader {
   }
 
   void draw(const XmlElement& element, Scene scene) {
-    if (++elements_drawn_ > most_elements) {
-      refuse(element, fmt::format("more than {} elements are drawn", most_elements));
+    if (++elements_drawn_ > most_elements_drawn) {
+      refuse(element, fmt::format("more than {} elements are drawn", most_elements_drawn));
     }
     if (++depth_ > deepest_nesting) {
       refuse(element, fmt::format("more than {} elements in each other", deepest_nesting));
@@ -310,8 +311,8 @@ class SvgReader {
   std::map<std::string, int, std::less<>> shapes_of_name_, copies_;
   std::set<std::string> ids_;
   std::vector<const XmlElement*> used_;
-  std::size_t elements_drawn_ = 0, segments_ = 0;
-  int depth_ = 0;
+  std::size_t segments_ = 0;
+  int elements_drawn_ = 0, depth_ = 0;
 };
 
 }  // namespace

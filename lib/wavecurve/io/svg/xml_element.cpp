@@ -16,7 +16,7 @@ struct TreeBuilder {
   xmlParserCtxtPtr parser = nullptr;
   std::unique_ptr<XmlElement> root;
   XmlElement* current = nullptr;
-  int depth = 0;
+  int depth = 0, elements = 0;
   std::string defect;
 
   void refuse(const std::string& what) {
@@ -54,6 +54,9 @@ void start_element(void* context, const xmlChar* name, const xmlChar*, const xml
   if (!tree.defect.empty()) return;
   if (++tree.depth > deepest_nesting) {
     return tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
+  }
+  if (++tree.elements > most_elements) {
+    return tree.refuse(fmt::format("more than {} elements", most_elements));
   }
   auto element = std::make_unique<XmlElement>();
   if (is_svg(uri)) element->name = text_of(name);
