@@ -42,6 +42,7 @@ struct Options {
   MorphOptions morph;
   Ease ease = Ease::linear;
   Crossings crossings = Crossings::ignored;
+  std::optional<Detail> detail;
   std::optional<int> frames;
   double tolerance = 0;
   bool loop = false, sheet = false, rotation = false;
@@ -86,6 +87,9 @@ MorphOptions morph_options(const Options& options) {
     morph.starts.emplace_back(layer, *number);
   }
   if (options.rotation) morph.rotation = Rotation::taken_out;
+  // With all details blended there would be no scale to choose.
+  const bool avoid = options.crossings == Crossings::avoid;
+  morph.detail = options.detail.value_or(avoid ? Detail::stage : Detail::blend);
   return morph;
 }
 
@@ -106,34 +110,38 @@ std::vector<double> inner_times(int frames, Ease ease) {
   return taus;
 }
 
-Morph without_crossings(const Drawing& source, const Drawing& destination, MorphOptions options,
-                        const std::vector<double>& taus) {
+ChosenMorph without_crossings(const Drawing& source, const Drawing& destination,
+                              MorphOptions options, const std::vector<double>& taus) {
   std::vector<Morph> alternatives{make_morph(source, destination, options)};
   if (options.rotation == Rotation::kept) {
     options.rotation = Rotation::taken_out;
     alternatives.push_back(make_morph(source, destination, options));
   }
   Progress progress("crossings");
-  ChosenMorph chosen = avoid_crossings(
-      alternatives, taus, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
-  fmt::print("{}", choices_table(chosen));
-  return std::move(chosen.morph);
+  return avoid_crossings(alternatives, taus,
+                         [&](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
-void write(const Options& options, int frames, const Animation& animation) {
+void write(const Options& options, int frames, const Morph& morph) {
+  Progress progress("frames");
   io::OutputOptions output;
   output.frames = frames;
   output.tolerance = options.tolerance;
   output.loop = options.loop;
-  if (options.sheet) {
-    io::write_file(options.output, io::animation_sheet(animation, output));
-    return;
-  }
-  Progress progress("frames");
   output.progress = [&](int done, int all) {
     progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   };
-  io::write_animation(options.output, animation, output);
+  // Only a morph in even time can be rescaled by the viewer of a page.
+  if (options.ease == Ease::linear && !options.sheet) {
+    return io::write_animation(options.output, morph, output);
+  }
+  const Animation animation = eased(animate(morph), options.ease, frames);
+  if (options.sheet) {
+    return io::write_file(options.output, io::animation_sheet(animation, output));
+  }
+  if (!options.loop) return io::write_animation(options.output, animation, output);
+  output.frames = 2 * frames - 1;  // at the same rate
+  io::write_animation(options.output, there_and_back(animation), output);
 }
 
 void check(const Options& options, int frames) {
@@ -156,20 +164,30 @@ void run(const Options& options) {
   const MorphOptions how = morph_options(options);
   const Drawing source = read(options.source), destination = read(options.destination);
   const std::vector<double> taus = inner_times(frames, options.ease);
-  const Morph morph = options.crossings == Crossings::avoid
-                          ? without_crossings(source, destination, how, taus)
-                          : make_morph(source, destination, how);
-  Animation animation = eased(animate(morph), options.ease, frames);
-  if (options.crossings == Crossings::report) fmt::print("{}", crossings_table(morph, taus));
-  if (options.loop) animation = there_and_back(animation);
-  write(options, frames, animation);
+  Morph morph;
+  std::string text;
+  if (options.crossings == Crossings::avoid) {
+    ChosenMorph chosen = without_crossings(source, destination, how, taus);
+    text = choices_table(chosen);
+    morph = std::move(chosen.morph);
+  } else {
+    morph = make_morph(source, destination, how);
+    if (options.crossings == Crossings::report) text = crossings_table(morph, taus);
+  }
+  write(options, frames, morph);
+  fmt::print("{}", text);
 }
 
-template <class Value>
-void add_choice(CLI::App* command, const std::string& name, Value& value,
+/// An option whose values have names; Target is Value, or std::optional of it.
+template <class Target, class Value>
+void add_choice(CLI::App* command, const std::string& name, Target& target,
                 const std::map<std::string, Value>& choices, const std::string& text) {
-  command->add_option(name, value, text)
-      ->transform(CLI::CheckedTransformer(choices).description(""));
+  std::vector<std::string> names;
+  for (const auto& [choice, value] : choices) names.push_back(choice);
+  command
+      ->add_option_function<std::string>(
+          name, [&](const std::string& choice) { target = choices.at(choice); }, text)
+      ->check(CLI::IsMember(names).description(""));
 }
 
 }  // namespace
@@ -194,8 +212,8 @@ void add_morph_command(CLI::App& app, ExitCode&) {
       ->add_option("--scale", options->scale,
                    "Control points that are interpolated, a power of two from 4 on, or full")
       ->capture_default_str();
-  add_choice(command, "--detail", options->morph.detail, details,
-             "What is finer than the scale: drop, blend (default), stage");
+  add_choice(command, "--detail", options->detail, details,
+             "What is finer than the scale: drop, blend, stage; blend, to avoid crossings stage");
   add_choice(command, "--ease", options->ease, eases,
              "How time passes: linear (default), in, out, in-out");
   command->add_option("--duration", options->morph.duration, "Seconds")->capture_default_str();
@@ -209,7 +227,7 @@ void add_morph_command(CLI::App& app, ExitCode&) {
   command->add_flag("--rotation", options->rotation,
                     "Take a rotation out before points are matched");
   add_choice(command, "--crossings", options->crossings, crossings_modes,
-             "report them by frame and layer, or avoid them by the choice of scales");
+             "report them by frame and layer, or avoid them by scales chosen from --scale on");
   command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
   command
       ->add_option("--tolerance", options->tolerance,

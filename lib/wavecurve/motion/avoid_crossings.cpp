@@ -68,13 +68,12 @@ Index total_crossings(LayerFrames& frames, const std::vector<double>& taus, Inde
   return total;
 }
 
-/// Scales from fine to coarse that give different frames.
+/// Scales from fine to coarse, from the layer's own on, that give different frames.
 std::vector<Index> scales(const Morph& morph, const MorphLayer& layer) {
-  const Index samples = layer.contours.empty() ? layer.scale : layer.contours[0].source.rows();
-  std::vector<Index> found{samples};
-  for (int l = 1; l <= morph.levels && morph.detail != Detail::blend; ++l) {
-    found.push_back(samples >> l);
-  }
+  std::vector<Index> found{layer.scale};
+  if (layer.contours.empty() || morph.detail == Detail::blend) return found;
+  const Index coarsest = layer.contours[0].source.rows() >> morph.levels;
+  while (found.back() / 2 >= coarsest) found.push_back(found.back() / 2);
   return found;
 }
 

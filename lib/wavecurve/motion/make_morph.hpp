@@ -14,16 +14,16 @@ namespace wavecurve {
 
 struct MorphOptions {
   FilterBank<double> bank;
-  Eigen::Index samples = 1024;        ///< points a contour, a power of two
-  std::optional<Eigen::Index> scale;  ///< control points that are interpolated; none: all
+  Eigen::Index samples = 1024;          ///< points a contour, a power of two
+  std::optional<Eigen::Index> scale{};  ///< control points that are interpolated; none: all
   Detail detail = Detail::blend;
   double stage_share = 0.25;  ///< of the duration, see Morph
   double duration = 2;        ///< seconds
   Rotation rotation = Rotation::kept;
-  LayerMap map;
+  LayerMap map{};
   /// By id of the source's layer: the point of the destination's contours that is their first,
   /// instead of the one that correspondence finds.
-  std::vector<std::pair<std::string, Eigen::Index>> starts;
+  std::vector<std::pair<std::string, Eigen::Index>> starts{};
 };
 
 /// The morph of one drawing into another. The view box is the source's; the destination is scaled
