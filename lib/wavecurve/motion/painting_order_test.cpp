@@ -36,6 +36,16 @@ TEST(PaintingOrder, PutsNewLayersWhereTheyLie) {
   EXPECT_EQ(sources(painting_order(matches, one, three)), (Places{std::nullopt, 0, std::nullopt}));
 }
 
+// The boxes of two triangles overlap in the source, they themselves do not.
+TEST(PaintingOrder, LooksAtOutlinesWhereTheEndsContradictEachOther) {
+  Contour upper(3, 2), lower(3, 2);
+  upper << 0, 0, 4, 0, 0, 4;
+  lower << 5, 1, 5, 5, 1, 5;
+  const std::vector<FrameLayer> source{{"", {upper}, {}}, {"", {lower}, {}}};
+  const std::vector<FrameLayer> destination{square(0), square(0.5)};
+  EXPECT_EQ(sources(painting_order({{0, 1}, {1, 0}}, source, destination)), (Places{1, 0}));
+}
+
 TEST(PaintingOrder, EndsWhereDemandsGoRound) {
   // In the source 0 < 1, in the destination 1 < 2 < 0.
   const std::vector<FrameLayer> source{square(0), square(0.5), square(9)};
