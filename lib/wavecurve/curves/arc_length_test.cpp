@@ -1,7 +1,9 @@
 #include "wavecurve/curves/arc_length.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -128,9 +130,10 @@ RC_GTEST_PROP(ArcLength, OfAPythagoreanHodographIsAPolynomial, ()) {
   }
 }
 
-/// Gauss-Legendre quadrature in long double on 2000 equal parts: where the speed has a minimum
-/// above a few hundredths, each part is far within the radius of convergence.
-double fine_length(const BezierSegment& bezier) {
+/// Gauss-Legendre quadrature in long double on 2000 equal parts, or nothing where the speed falls
+/// below 1 % of its largest: above it, the complex zeros of its square are several parts away.
+/// Nearer to a cusp, the closed forms above are at hand.
+std::optional<double> fine_length(const BezierSegment& bezier) {
   const Eigen::Matrix<long double, 2, 4> p = bezier.control.cast<long double>();
   const Eigen::Matrix<long double, 2, 3> d = 3 * (p.rightCols<3>() - p.leftCols<3>());
   const auto speed = [&](long double s) {
@@ -138,19 +141,23 @@ double fine_length(const BezierSegment& bezier) {
     return (r * r * d.col(0) + 2 * r * s * d.col(1) + s * s * d.col(2)).eval().norm();
   };
   constexpr int parts = 2000;
-  long double length = 0;
+  long double length = 0, slowest = speed(0), fastest = slowest;
   for (int i = 0; i < parts; ++i) {
-    length += boost::math::quadrature::gauss<long double, 20>::integrate(
-        speed, static_cast<long double>(i) / parts, static_cast<long double>(i + 1) / parts);
+    const long double begin = static_cast<long double>(i) / parts;
+    const long double end = static_cast<long double>(i + 1) / parts;
+    length += boost::math::quadrature::gauss<long double, 20>::integrate(speed, begin, end);
+    slowest = std::min(slowest, speed(end));
+    fastest = std::max(fastest, speed(end));
   }
+  if (slowest < fastest / 100) return std::nullopt;
   return static_cast<double>(length);
 }
 
 RC_GTEST_PROP(ArcLength, OfACubicIsThatOfFineQuadrature, ()) {
   const BezierSegment bezier = segment({anywhere(), anywhere(), anywhere(), anywhere()});
-  const double expected = fine_length(bezier);
-  RC_PRE(expected > 0);
-  RC_ASSERT(std::abs(arc_length(bezier) - expected) <= demanded * expected);
+  const std::optional<double> expected = fine_length(bezier);
+  RC_PRE(expected.has_value());
+  RC_ASSERT(std::abs(arc_length(bezier) - *expected) <= demanded * *expected);
 }
 
 /// Collinear and overshooting at both ends: the distances between the turns add up.

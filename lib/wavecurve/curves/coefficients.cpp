@@ -1,5 +1,6 @@
 #include "wavecurve/curves/coefficients.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -8,6 +9,13 @@
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
+
+double centre_of_phi(const FilterBank<double>& bank) {
+  const Filter<double>& low = bank.synthesis_low;
+  double sum = 0;
+  for (int n = low.first_index; n <= low.last_index(); ++n) sum += n * low[n];
+  return sum / std::sqrt(2.0);
+}
 
 Contour to_coefficients(const FilterBank<double>& bank, const Contour& samples, int levels,
                         SampleMode mode) {

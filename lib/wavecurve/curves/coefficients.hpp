@@ -13,12 +13,15 @@ namespace wavecurve {
 /// coefficient of the transform here is sqrt N times the publication's.
 enum class SampleMode {
   /// c_n = sample n, the publication's. The curve runs near the samples, at sample n for
-  /// t = (n + m) / N, m = int x phi(x) dx: late by phi's centre, and off by the order of the
+  /// t = (n + m) / N, m = centre_of_phi: late by that much, and off by the order of the
   /// family.
   samples,
   /// The c whose curve passes through sample n at t = n / N.
   interpolate,
 };
+
+/// m = int x phi(x) dx = sum_n n synthesis_low_n / sqrt 2.
+double centre_of_phi(const FilterBank<double>& bank);
 
 /// Samples to coefficients in global-to-local order (see Band), one a row, columns x and y.
 /// Publication, (2.8), (2.10)-(2.12). Throws std::invalid_argument as multiscale_bands does, and

@@ -101,6 +101,18 @@ TEST(Interpolation, RefusesAZeroOfTheSymbol) {
   EXPECT_THROW(interpolate(find_filter_bank("haar"), flower(16)), std::domain_error);
 }
 
+/// The trapezoidal rule is exact up to rounding: shifts of phi reproduce x, so that its sum over
+/// any grid is the integral.
+TEST(Coefficients, KnowTheCentreOfPhi) {
+  for (const char* name : names) {
+    const FilterBank<double> bank = find_filter_bank(name);
+    const DyadicValues phi = scaling_values(bank, 3);
+    double sum = 0;
+    for (Eigen::Index i = 0; i < phi.values.size(); ++i) sum += phi.point(i) * phi.values[i] / 8;
+    EXPECT_NEAR(centre_of_phi(bank), sum, 1e-12) << name;
+  }
+}
+
 TEST(Approximation, DropsTheDetails) {
   const FilterBank<double> bank = find_filter_bank("db4");
   const Contour coefficients = to_coefficients(bank, flower(64), 3);

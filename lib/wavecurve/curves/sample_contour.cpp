@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <queue>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,16 +75,17 @@ std::vector<Index> shares(const std::vector<double>& lengths, Index samples) {
     count[i] = std::max<Index>(1, static_cast<Index>(wanted[i]));
   }
   Index left = samples - std::accumulate(count.begin(), count.end(), Index{0});
-  const auto lack = [&](std::size_t i) { return wanted[i] - static_cast<double>(count[i]); };
-  for (; left != 0; left += left > 0 ? -1 : 1) {
-    std::size_t chosen = count.size();
-    for (std::size_t i = 0; i < count.size(); ++i) {
-      if (left < 0 && count[i] == 1) continue;
-      const bool better =
-          chosen == count.size() || (left > 0 ? lack(i) > lack(chosen) : lack(i) < lack(chosen));
-      if (better) chosen = i;
-    }
-    count[chosen] += left > 0 ? 1 : -1;
+  const int step = left > 0 ? 1 : -1;
+  std::priority_queue<std::pair<double, std::size_t>> queue;
+  const auto enqueue = [&](std::size_t i) {
+    if (count[i] + step >= 1) queue.push({step * (wanted[i] - static_cast<double>(count[i])), i});
+  };
+  for (std::size_t i = 0; i < count.size(); ++i) enqueue(i);
+  for (; left != 0; left -= step) {
+    const std::size_t chosen = queue.top().second;
+    queue.pop();
+    count[chosen] += step;
+    enqueue(chosen);
   }
   return count;
 }

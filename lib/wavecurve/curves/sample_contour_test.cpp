@@ -107,6 +107,26 @@ TEST(SampleContour, SharesPointsAmongPiecesByLength) {
   EXPECT_TRUE(on_axis == 32 || on_axis == 33) << on_axis;
 }
 
+/// Also with as many points as corners, a quarter of a million of them, in about linear time.
+TEST(SampleContour, KeepsEveryCornerOfAComb) {
+  for (Eigen::Index teeth : {2, 50, 1 << 17}) {
+    Contour comb(2 * teeth, 2);
+    for (Eigen::Index i = 0; i < 2 * teeth; ++i) {
+      // Teeth of one size, or of every size.
+      const double x = teeth == 50 ? static_cast<double>(i * i) : static_cast<double>(i);
+      comb.row(i) << x, (i % 2 == 0 ? 0 : teeth == 50 ? x : 1);
+    }
+    comb.row(0) << 0, 2 * comb.col(0).maxCoeff();  // where it is held, which makes it clockwise
+    const Eigen::Index samples = teeth == 50 ? 128 : 2 * teeth;
+    const Contour found = sample_contour(comb, samples, Corners::kept);
+    Eigen::Index row = 0;
+    for (Eigen::Index i = 0; i < comb.rows(); ++i, ++row) {
+      while (row < samples && found.row(row) != comb.row(i)) ++row;
+      ASSERT_LT(row, samples) << teeth << " " << i;
+    }
+  }
+}
+
 TEST(SampleContour, FindsNoCornersOnASmoothCurve) {
   EXPECT_EQ(sample_contour(lens(), 32, Corners::kept), sample_contour(lens(), 32));
 }

@@ -19,8 +19,15 @@ constexpr std::size_t largest_file = std::size_t{256} << 20;
 
 /// At most one byte more than the largest file: a device may have no end.
 std::string read_bytes(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::invalid_argument("cannot read " + path.string() + ": it is a directory");
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::invalid_argument("cannot read " + path.string() + ": " +
+                                std::generic_category().message(errno));
+  }
   std::string bytes;
   constexpr std::size_t step = std::size_t{1} << 20;
   while (file && bytes.size() <= largest_file) {

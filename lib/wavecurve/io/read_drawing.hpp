@@ -23,16 +23,17 @@ struct DrawingFile {
 /// where that is taken. An open subpath that is only filled is closed, as it is painted; one that
 /// is filled and stroked becomes two layers, the second with `-stroke` added to the id. Gradients
 /// become their mean colour. Text, images, filters, masks, clipping, markers, patterns, animations
-/// and dashes are not supported. A shape without length is skipped with a warning.
+/// and dashes are not supported; strokes have round ends and corners. A shape without length is
+/// skipped with a warning. Subpaths that end where they start count as closed.
 ///
 /// `.csv`: points x,y of one closed contour, a line each; or contour,x,y, where a contour is the
 /// run of lines with the same first entry. A header, blank lines and comments after # may be there.
 /// A contour is a hole where it lies inside of another one (even-odd rule); the fill is black.
 ///
 /// Throws std::invalid_argument naming the file, the line or element, the value and the bound, for
-/// anything that is broken, that declares entities, lies in itself, or draws nothing;
-/// std::system_error for a file that cannot be read. Bounds: 256 MiB, 256 elements in each other,
-/// 10^5 layers, 10^7 segments, coordinates within +-1e9.
+/// anything that is broken, that declares entities, lies in itself, or draws nothing, and for a
+/// file that cannot be opened; std::system_error if reading fails. Bounds: 256 MiB, 256 elements in
+/// each other, 10^5 layers, 10^7 segments, coordinates within +-1e9.
 DrawingFile read_drawing(const std::filesystem::path& path);
 
 }  // namespace wavecurve::io

@@ -1,13 +1,14 @@
 #include "wavecurve/io/read_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "wavecurve/io/svg/fit_view_box.hpp"
 #include "wavecurve/io/svg/path_builder.hpp"
 #include "wavecurve/io/svg/svg_length.hpp"
 #include "wavecurve/io/svg/text.hpp"
@@ -39,18 +40,17 @@ class PointsReader {
     layer.paint.fill_rule = FillRule::evenodd;
     transform_outline(layer.subpaths, Eigen::Affine2d::Identity());
     DrawingFile file;
-    const std::size_t contours = layer.subpaths.size() + single_points_;
     std::erase_if(layer.subpaths, has_no_length);
     if (layer.subpaths.empty()) {
-      throw std::invalid_argument(contours == 0 ? "no points"
-                                                : "the points have no length: all are one");
+      throw std::invalid_argument(contours_ == 0 ? "no points"
+                                                 : "the points have no length: all are one");
     }
-    if (layer.subpaths.size() < contours) {
+    if (layer.subpaths.size() < contours_) {
       file.warnings.push_back(fmt::format("{} contours of {} have no length",
-                                          contours - layer.subpaths.size(), contours));
+                                          contours_ - layer.subpaths.size(), contours_));
     }
-    file.drawing.view_box = box_of(layer.subpaths);
     file.drawing.layers.push_back(std::move(layer));
+    file.drawing.view_box = fit_view_box(file.drawing);
     return file;
   }
 
@@ -76,31 +76,16 @@ class PointsReader {
   }
 
   void add(std::string_view contour, const Eigen::Vector2d& point) {
-    if (points_ > 0 && contour == contour_) {
-      path_.line_to(point);
-      ++points_;
-      return;
-    }
+    if (contours_ > 0 && contour == contour_) return path_.line_to(point);
     path_.close();
     path_.move_to(point);
     contour_ = contour;
-    points_ = 1;
-  }
-
-  static ViewBox box_of(const std::vector<Subpath>& subpaths) {
-    Eigen::AlignedBox2d box;
-    for (const Subpath& subpath : subpaths) {
-      for (const BezierSegment& segment : subpath.segments) {
-        box.extend(segment.control.col(0));
-        box.extend(segment.control.col(1));
-      }
-    }
-    return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
+    ++contours_;
   }
 
   PathBuilder path_;
   std::string contour_;
-  std::size_t columns_ = 0, points_ = 0, single_points_ = 0;
+  std::size_t columns_ = 0, contours_ = 0;
   bool header_ = false;
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 namespace wavecurve::io {
 
@@ -54,6 +56,8 @@ void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double
     ellipse.radii *= length;
     half /= length;
   }
+  // So flat an arc differs from its chord by less than the rounding of its centre.
+  if (!large && half.norm() < 1e-8) return path.line_to(to);
   const double cosine = std::min(1.0, half.norm());
   const double across = length > 1 - 1e-14 ? 0 : std::sqrt((1 - cosine) * (1 + cosine)) / cosine;
   const Eigen::Vector2d shift =
@@ -64,6 +68,11 @@ void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double
   double sweep = angle_of(-half - shift) - begin;
   if (clockwise && sweep < 0) sweep += 2 * pi;
   if (!clockwise && sweep > 0) sweep -= 2 * pi;
+  if (!std::isfinite(sweep)) {
+    throw std::invalid_argument(
+        fmt::format("an arc of radii {:g} and {:g} to ({:g}, {:g}) has no centre", radii.x(),
+                    radii.y(), to.x(), to.y()));
+  }
   append_arc(path, ellipse, begin, sweep);
   path.move_end(to);
 }

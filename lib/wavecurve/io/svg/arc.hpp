@@ -23,7 +23,8 @@ struct Ellipse {
 void append_arc(PathBuilder& path, const Ellipse& ellipse, double from, double sweep);
 
 /// The command A of path data: from the current point to `to`, rotation in degrees. Radii that are
-/// too small are enlarged, a radius of zero gives a line (SVG 1.1, appendix F.6).
+/// too small are enlarged, a radius of zero gives a line (SVG 1.1, appendix F.6). Throws
+/// std::invalid_argument naming them where they are too large for a centre.
 void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double rotation,
                          bool large, bool clockwise, const Eigen::Vector2d& to);
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/svg/fit_view_box.hpp"
 #include "wavecurve/io/svg/svg_shape.hpp"
 #include "wavecurve/io/svg/svg_style.hpp"
 #include "wavecurve/io/svg/svg_values.hpp"
@@ -59,7 +60,7 @@ class SvgReader {
       throw std::invalid_argument(nothing_drawn_.empty() ? "nothing is painted: no path or shape"
                                                          : "nothing is painted: " + nothing_drawn_);
     }
-    if (file_.drawing.view_box.width == 0) fit_view_box();
+    if (file_.drawing.view_box.width == 0) file_.drawing.view_box = fit_view_box(file_.drawing);
     file_.warnings = warnings_.list;
     return std::move(file_);
   }
@@ -84,20 +85,6 @@ class SvgReader {
       }
     });
     scene.viewport = {box.width, box.height};
-  }
-
-  void fit_view_box() {
-    Eigen::AlignedBox2d box;
-    for (const Layer& layer : file_.drawing.layers) {
-      for (const Subpath& subpath : layer.subpaths) {
-        for (const BezierSegment& segment : subpath.segments) {
-          for (Eigen::Index i = 0; i < segment.control.cols(); ++i) {
-            box.extend(segment.control.col(i));
-          }
-        }
-      }
-    }
-    file_.drawing.view_box = {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
   }
 
   /// Adds to the messages of an action where in the file it happened.
@@ -143,18 +130,24 @@ class SvgReader {
     } else if (element.name == "use") {
       draw_use(element, scene);
     } else if (element.name == "svg" && &element != &root_) {
-      draw_nested(element, scene, element);
+      draw_nested(element, scene, nullptr);
     } else if (is_one_of(element.name, {"svg", "g", "a", "switch"})) {
       draw_children(element, scene);
     } else if (!is_never_drawn(element.name)) {
-      warnings_.add("the element " + shown(element.name) + " is not supported");
+      warn_of_element(element);
     }
+  }
+
+  void warn_of_element(const XmlElement& element) {
+    warnings_.add("the element " + shown(element.name) + " is not supported");
   }
 
   void draw_children(const XmlElement& element, Scene scene) {
     scene.use_id = {};
     for (const auto& child : element.children) {
-      if (!is_never_drawn(child->name)) draw(*child, scene);
+      if (is_never_drawn(child->name)) continue;
+      draw(*child, scene);
+      if (element.name == "switch") break;  // the rest is for readers that know less
     }
   }
 
@@ -177,33 +170,34 @@ class SvgReader {
                                               coordinate("y", scene.viewport.height)));
     scene.use_id = use.attribute("id");
     used_.push_back(&target);
-    if (target.name == "symbol" || target.name == "svg") {
+    if (target.name == "symbol") {
       draw_symbol(target, scene, use);
+    } else if (target.name == "svg") {
+      draw_nested(target, scene, &use);
     } else {
       draw(target, scene);
     }
     used_.pop_back();
   }
 
-  /// A symbol has no size but the one of its <use>.
   void draw_symbol(const XmlElement& symbol, Scene scene, const XmlElement& use) {
     const StyleSource source{sheet_, elements_, warnings_};
     scene.style = style_of(symbol, scene.style, scene.viewport, source);
-    if (scene.style.displayed) draw_nested(symbol, scene, use);
+    if (scene.style.displayed) draw_nested(symbol, scene, &use);
   }
 
-  /// Draws into a viewport of its own, whose size the element `sized` gives.
-  void draw_nested(const XmlElement& element, Scene scene, const XmlElement& sized) {
+  /// Draws into a viewport of its own; the size that a <use> gives comes before the element's.
+  void draw_nested(const XmlElement& element, Scene scene, const XmlElement* use) {
     const auto length = [&](std::string_view name, double hundred_percent, double otherwise) {
-      return parse_length(sized.attribute(name), hundred_percent).value_or(otherwise);
+      return parse_length(element.attribute(name), hundred_percent).value_or(otherwise);
+    };
+    const auto size = [&](std::string_view name, double hundred_percent) {
+      const double own = length(name, hundred_percent, hundred_percent);
+      return use ? parse_length(use->attribute(name), hundred_percent).value_or(own) : own;
     };
     const Viewport& outer = scene.viewport;
-    ViewBox shown_at{0, 0, length("width", outer.width, outer.width),
-                     length("height", outer.height, outer.height)};
-    if (&element == &sized) {
-      shown_at.x = length("x", outer.width, 0);
-      shown_at.y = length("y", outer.height, 0);
-    }
+    const ViewBox shown_at{length("x", outer.width, 0), length("y", outer.height, 0),
+                           size("width", outer.width), size("height", outer.height)};
     if (!(shown_at.width > 0) || !(shown_at.height > 0)) return;
     ViewBox box{0, 0, shown_at.width, shown_at.height};
     at(element, [&] {
@@ -220,12 +214,16 @@ class SvgReader {
   void draw_shape(const XmlElement& shape, const Scene& scene) {
     const int number = ++shapes_of_name_[shape.name];
     std::string id(scene.use_id.empty() ? shape.attribute("id") : scene.use_id);
-    if (id.empty()) id = fmt::format("{}-{}", shape.name, number);
+    const bool named = !id.empty();
+    if (!named) id = fmt::format("{}-{}", shape.name, number);
     const double scale = std::sqrt(std::abs(scene.transform.linear().determinant()));
     Layer layer{id, {}, paint_of(scene.style, scale)};
     if (!scene.style.visible || (!layer.paint.fill && !layer.paint.stroke)) {
       nothing_drawn_ = fmt::format("line {}: {} has neither fill nor stroke", shape.line, id);
       return;
+    }
+    for (const auto& child : shape.children) {
+      if (!is_never_drawn(child->name)) warn_of_element(*child);
     }
     at(shape, [&] {
       layer.subpaths = outline_of(shape, scene.viewport);
@@ -239,7 +237,7 @@ class SvgReader {
     }
     warn_of_uneven_stroke(layer.paint, scene.transform);
     count_segments(shape, layer);
-    add(shape, std::move(layer));
+    add(shape, std::move(layer), named);
   }
 
   void warn_of_uneven_stroke(const Paint& paint, const Eigen::Affine2d& transform) {
@@ -261,10 +259,10 @@ class SvgReader {
   }
 
   /// A fill closes its subpaths, a stroke does not: together they are two layers.
-  void add(const XmlElement& shape, Layer layer) {
+  void add(const XmlElement& shape, Layer layer, bool named) {
     const auto is_open = [](const Subpath& subpath) { return !subpath.closed; };
     const bool open = std::any_of(layer.subpaths.begin(), layer.subpaths.end(), is_open);
-    if (!open || !layer.paint.fill) return append(std::move(layer));
+    if (!open || !layer.paint.fill) return append(std::move(layer), named);
     Layer stroke = layer;
     stroke.paint.fill.reset();
     layer.paint.stroke.reset();
@@ -285,16 +283,22 @@ class SvgReader {
       return;
     }
     if (filled && stroked) stroke.id += "-stroke";
-    if (filled) append(std::move(layer));
-    if (stroked) append(std::move(stroke));
+    if (filled) append(std::move(layer), named);
+    if (stroked) append(std::move(stroke), named && !filled);
   }
 
-  void append(Layer layer) {
-    const std::string wanted = layer.id;
-    for (int number = ++times_wanted_[wanted]; !ids_.insert(layer.id).second; ++number) {
-      layer.id = fmt::format("{}-{}", wanted, std::max(2, number));
-    }
+  void append(Layer layer, bool named) {
+    layer.id = unique_id(layer.id, named);
     file_.drawing.layers.push_back(std::move(layer));
+  }
+
+  /// A number is added to an id that is taken; what is made up is not one of the file either.
+  std::string unique_id(const std::string& wanted, bool named) {
+    if ((named || !elements_.contains(wanted)) && ids_.insert(wanted).second) return wanted;
+    for (int& copies = copies_[wanted];;) {
+      std::string id = fmt::format("{}-{}", wanted, ++copies + 1);
+      if (!elements_.contains(id) && ids_.insert(id).second) return id;
+    }
   }
 
   const XmlElement& root_;
@@ -303,7 +307,7 @@ class SvgReader {
   Warnings warnings_;
   DrawingFile file_;
   std::string nothing_drawn_;  ///< why the last shape that is not painted is not
-  std::map<std::string, int, std::less<>> shapes_of_name_, times_wanted_;
+  std::map<std::string, int, std::less<>> shapes_of_name_, copies_;
   std::set<std::string> ids_;
   std::vector<const XmlElement*> used_;
   std::size_t elements_drawn_ = 0, segments_ = 0;

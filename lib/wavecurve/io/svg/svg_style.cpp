@@ -173,12 +173,17 @@ class StyleReader {
   }
 
   void warn_of_unsupported() const {
-    for (std::string_view property : {"clip-path", "mask", "filter", "marker", "marker-start",
-                                      "marker-mid", "marker-end", "stroke-dasharray"}) {
+    for (std::string_view property :
+         {"clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end",
+          "stroke-dasharray", "transform"}) {
       const std::string_view value = given(property);
       if (!value.empty() && value != "none") {
         source_.warnings.add("the property " + std::string(property) + " is not supported");
       }
+    }
+    for (std::string_view property : {"stroke-linecap", "stroke-linejoin"}) {
+      const std::string_view value = given(property);
+      if (!value.empty() && value != "round") warn_of_value(property, value);
     }
   }
 

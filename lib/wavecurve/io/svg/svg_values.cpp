@@ -1,6 +1,7 @@
 // The one file that compiles the grammars of SVG++: they take long.
 #include "wavecurve/io/svg/svg_values.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -103,6 +104,8 @@ class PathEvents {
   int last_degree_ = 0;
 };
 
+using PathGrammar = svgpp::path_data_grammar<const char*, PathEvents, double>;
+
 /// Multiplies the transformations of a list.
 struct TransformEvents {
   Eigen::Affine2d product = Eigen::Affine2d::Identity();
@@ -151,9 +154,11 @@ void refuse_long_numbers(std::string_view text) {
   }
 }
 
+/// The first characters, `prefix` of them, are ours and not counted.
 template <typename Grammar, typename Events>
-void parse(std::string_view text, Events& events, std::string_view expected) {
-  refuse_long_numbers(text);
+void parse(std::string_view text, Events& events, std::string_view expected,
+           std::size_t prefix = 0) {
+  refuse_long_numbers(text.substr(prefix));
   static const Grammar grammar;
   const char* position = text.data();
   const char* const end = text.data() + text.size();
@@ -161,7 +166,8 @@ void parse(std::string_view text, Events& events, std::string_view expected) {
   if (!qi::phrase_parse(position, end, grammar(boost::phoenix::ref(events)),
                         typename Grammar::skipper_type()) ||
       position != end) {
-    refuse(text, static_cast<std::size_t>(position - text.data()), fmt::format("no {}", expected));
+    const auto reached = static_cast<std::size_t>(position - text.data());
+    refuse(text.substr(prefix), std::max(reached, prefix) - prefix, fmt::format("no {}", expected));
   }
 }
 
@@ -169,13 +175,14 @@ void parse(std::string_view text, Events& events, std::string_view expected) {
 
 void parse_path_data(std::string_view text, PathBuilder& path) {
   PathEvents events(path);
-  parse<svgpp::path_data_grammar<const char*, PathEvents, double>>(text, events, "path data");
+  parse<PathGrammar>(text, events, "path data");
 }
 
 void parse_points(std::string_view text, PathBuilder& path) {
   // What a moveto accepts is a list of points too.
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
-  parse_path_data("M" + std::string(text), path);
+  PathEvents events(path);
+  parse<PathGrammar>("M" + std::string(text), events, "list of points", 1);
 }
 
 Eigen::Affine2d parse_transform(std::string_view text) {

@@ -114,6 +114,14 @@ std::string error_of(xmlParserCtxtPtr parser) {
   return fmt::format("line {}: not XML: {}", error->line, message);
 }
 
+/// libxml2 keeps declared entities in a document even where none is built.
+struct FreeParser {
+  void operator()(xmlParserCtxtPtr parser) const {
+    if (parser->myDoc) xmlFreeDoc(parser->myDoc);
+    xmlFreeParserCtxt(parser);
+  }
+};
+
 }  // namespace
 
 std::string_view XmlElement::attribute(std::string_view key) const {
@@ -124,8 +132,8 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
   static const bool initialized = (xmlInitParser(), true);
   static_cast<void>(initialized);
-  const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> parser(
-      xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())), &xmlFreeParserCtxt);
+  const std::unique_ptr<xmlParserCtxt, FreeParser> parser(
+      xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
   if (!parser) throw std::invalid_argument("not XML: it is empty");
   TreeBuilder tree;
   tree.parser = parser.get();

@@ -1,0 +1,15 @@
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "wavecurve/io/fuzz/check_drawing.hpp"
+#include "wavecurve/io/svg/read_svg.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  try {
+    const std::string_view text(reinterpret_cast<const char*>(bytes), size);
+    wavecurve::io::check_drawing(wavecurve::io::read_svg(text).drawing);
+  } catch (const std::invalid_argument&) {
+  }
+  return 0;
+}

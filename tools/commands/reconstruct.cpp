@@ -1,0 +1,105 @@
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "wavecurve/curves/descriptor.hpp"
+#include "wavecurve/io/animated_svg.hpp"
+#include "wavecurve/io/descriptor_json.hpp"
+#include "wavecurve/io/load_filter.hpp"
+#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/motion/animation.hpp"
+
+#include "commands.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+struct Options {
+  std::string input, scale = "full", output;
+};
+
+std::string checked_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending != ".svg" && ending != ".csv") {
+    throw std::invalid_argument(
+        fmt::format("output is '{}', but must end in .svg or .csv", output));
+  }
+  return ending;
+}
+
+Eigen::Index scale_of(const std::string& text, Eigen::Index samples) {
+  if (text == "full") return samples;
+  long scale = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, scale);
+  if (error != std::errc() || stopped != end) {
+    throw std::invalid_argument(
+        fmt::format("scale is '{}', but must be a number of coefficients, or full", text));
+  }
+  return scale;
+}
+
+/// A picture that stands still.
+Animation reconstructed(const Descriptor& descriptor, Eigen::Index scale) {
+  const FilterBank<double> bank = io::load_filter_bank(descriptor.filter);
+  Animation still;
+  still.view_box = descriptor.view_box;
+  still.duration = 1;
+  for (const LayerDescriptor& layer : descriptor.layers) {
+    still.layers.push_back(
+        {layer.id, {{0, reconstruct(layer, bank, descriptor.options, scale)}}, {{0, layer.paint}}});
+  }
+  return still;
+}
+
+/// Contours are numbered through all layers: two of them with the same number would be one.
+std::string points_csv(const Animation& still) {
+  std::string text = "contour,x,y\n";
+  int number = 0;
+  for (const AnimatedLayer& layer : still.layers) {
+    for (const Contour& contour : layer.outline.front().contours) {
+      for (const auto& point : contour.rowwise()) {
+        text += fmt::format("{},{},{}\n", number, point[0], point[1]);
+      }
+      ++number;
+    }
+  }
+  return text;
+}
+
+void run(const Options& options) {
+  const std::string ending = checked_ending(options.output);
+  const Descriptor descriptor = io::read_descriptor(options.input);
+  const Animation still =
+      reconstructed(descriptor, scale_of(options.scale, descriptor.options.samples));
+  io::OutputOptions output;
+  output.accuracy = 1e-6;
+  io::write_file(options.output,
+                 ending == ".svg" ? io::animated_svg(still, output) : points_csv(still));
+}
+
+}  // namespace
+
+void add_reconstruct_command(CLI::App& app, ExitCode&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "reconstruct", "The drawing of a descriptor, whole or from its coarsest coefficients");
+  command->add_option("DESCRIPTOR", options->input, "What describe has written (.json)")
+      ->required();
+  command
+      ->add_option("--scale", options->scale,
+                   "Number of coefficients taken of each contour, a power of two, or full")
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", options->output,
+                   "A drawing (.svg), or contour,x,y of every sample (.csv)")
+      ->required();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace wavecurve::tools

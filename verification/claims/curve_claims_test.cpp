@@ -1,0 +1,69 @@
+// The claims about curves: their verdicts, and that their tables and pictures are whole.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "claim.hpp"
+
+namespace wavecurve::verification {
+namespace {
+
+Outcome outcome_of(const std::string& id) {
+  for (const Claim& claim : claims()) {
+    if (claim.id == id) return claim.evaluate();
+  }
+  throw std::out_of_range(id);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+void expect_full(const Table& table) {
+  EXPECT_FALSE(table.rows.empty()) << table.caption;
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.caption;
+}
+
+TEST(Figure2, HoldsAndShowsTwoGroupsOfFive) {
+  const Outcome outcome = outcome_of("figure-2");
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.summary;
+  const Picture picture = std::get<Picture>(outcome.evidence.at(0));
+  EXPECT_EQ(count(picture.svg, "stroke=\"black\""), 10u);
+  for (const char* label : {"(0) 1024", "(3) 128", "(4) 64", "(5) 32", "(6) 16"}) {
+    EXPECT_EQ(count(picture.svg, label), 2u) << label;
+  }
+  expect_full(picture.data);
+  expect_full(std::get<Table>(outcome.evidence.at(1)));
+}
+
+/// The RMS distance of all three grows from level to level.
+TEST(Figure2, HasErrorsThatGrow) {
+  const Outcome outcome = outcome_of("figure-2");
+  const Table table = std::get<Picture>(outcome.evidence.at(0)).data;
+  for (const auto& row : table.rows) {
+    for (std::size_t k = 2; k <= 6; ++k) {
+      EXPECT_LT(std::stod(row.at(k - 1)), std::stod(row.at(k))) << row[0];
+    }
+  }
+}
+
+TEST(SamplesAsCoefficients, DependsOnTheParameter) {
+  const Outcome outcome = outcome_of("samples-as-coefficients");
+  EXPECT_EQ(outcome.verdict, Verdict::depends_on_definition);
+  const Table table = std::get<Table>(outcome.evidence.at(0));
+  expect_full(table);
+  for (const auto& row : table.rows) {
+    // The delay adds to the error, but where phi is centred at 0. Printed with four decimals.
+    EXPECT_LE(std::stod(row[4]), std::stod(row[2]) + 5e-5) << row[0];
+    // Interpolation leaves nothing but rounding, or is refused where the symbol has a zero.
+    EXPECT_EQ(row[6], row[0] == "bspline3.3" ? "refused: smallest symbol 0.000" : "below 1e-14");
+  }
+}
+
+}  // namespace
+}  // namespace wavecurve::verification
