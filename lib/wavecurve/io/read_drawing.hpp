@@ -32,8 +32,8 @@ struct DrawingFile {
 ///
 /// Throws std::invalid_argument naming the file, the line or element, the value and the bound, for
 /// anything that is broken, that declares entities, lies in itself, or draws nothing, and for a
-/// file that cannot be opened; std::system_error if reading fails. Bounds: 256 MiB, 256 elements in
-/// each other, 10^5 layers, 10^7 segments, coordinates within +-1e9.
+/// file that cannot be opened; std::system_error if reading fails. Bounds: 256 MiB; 10^6
+/// elements, 256 in each other; 10^5 layers; 4 10^6 segments; coordinates within +-1e9.
 DrawingFile read_drawing(const std::filesystem::path& path);
 
 }  // namespace wavecurve::io

@@ -68,7 +68,7 @@ void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double
   double sweep = angle_of(-half - shift) - begin;
   if (clockwise && sweep < 0) sweep += 2 * pi;
   if (!clockwise && sweep > 0) sweep -= 2 * pi;
-  if (!std::isfinite(sweep)) {
+  if (!ellipse.centre.allFinite() || !std::isfinite(sweep)) {
     throw std::invalid_argument(
         fmt::format("an arc of radii {:g} and {:g} to ({:g}, {:g}) has no centre", radii.x(),
                     radii.y(), to.x(), to.y()));

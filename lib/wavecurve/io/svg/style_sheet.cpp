@@ -171,9 +171,6 @@ void StyleSheet::add(std::string_view css, Warnings& warnings) {
     add_rule(rest.substr(0, open), rest.substr(open + 1, end - open - 1), warnings);
     rest = trimmed(rest.substr(end));
   }
-  std::stable_sort(rules_.begin(), rules_.end(), [](const Rule& left, const Rule& right) {
-    return left.specificity() < right.specificity();
-  });
 }
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view block, Warnings& warnings) {
@@ -182,7 +179,10 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view block, Wa
   for (std::string_view text : split(selectors, ",")) {
     Rule rule{{}, declarations};
     if (parse_selector(text, rule.selector)) {
-      rules_.push_back(std::move(rule));
+      const auto less_specific = [](const Rule& left, const Rule& right) {
+        return left.specificity() < right.specificity();
+      };
+      rules_.insert(std::upper_bound(rules_.begin(), rules_.end(), rule, less_specific), rule);
     } else {
       warnings.add("the CSS selector '" + shown(text) + "' is not supported");
     }

@@ -2,6 +2,7 @@
 #include "wavecurve/io/svg/svg_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -126,8 +127,12 @@ struct TransformEvents {
     transform_rotate(degrees);
     transform_translate(-x, -y);
   }
-  void transform_skew_x(double degrees) { product.shear(std::tan(radians(degrees)), 0); }
-  void transform_skew_y(double degrees) { product.shear(0, std::tan(radians(degrees))); }
+  void transform_skew_x(double degrees) {
+    transform_matrix({{1, 0, std::tan(radians(degrees)), 1, 0, 0}});
+  }
+  void transform_skew_y(double degrees) {
+    transform_matrix({{1, std::tan(radians(degrees)), 0, 1, 0, 0}});
+  }
 };
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -192,6 +197,9 @@ Eigen::Affine2d parse_transform(std::string_view text) {
 }
 
 std::optional<Colour> parse_colour(std::string_view text) {
+  // The parser of names knows ASCII only, and asserts it.
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 128; };
+  if (!std::all_of(text.begin(), text.end(), is_ascii)) return std::nullopt;
   const char* position = text.data();
   const char* const end = text.data() + text.size();
   int rgb = 0;
