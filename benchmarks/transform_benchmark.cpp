@@ -18,6 +18,7 @@
 // - 2.5 to 2.8 ns a sample at 2^8, of which the loop above is less than 0.8: the rest is the start
 //   and the wrap of each of eight levels.
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -46,10 +47,10 @@ void count_samples(benchmark::State& state, Eigen::Index samples) {
 enum class Direction { forward, inverse };
 
 template <class Scalar, Direction direction>
-void transform(benchmark::State& state) {
+void single(benchmark::State& state, const char* family) {
   using Vector = Eigen::Vector<Scalar, Eigen::Dynamic>;
   const Eigen::Index samples = state.range(0);
-  const PeriodicTransform<Scalar> dpwt(find_filter_bank<Scalar>("db4"), samples,
+  const PeriodicTransform<Scalar> dpwt(find_filter_bank<Scalar>(family), samples,
                                        all_levels(samples));
   const Vector x = Vector::Random(samples);
   Vector y(samples), workspace(dpwt.workspace_size());
@@ -60,6 +61,25 @@ void transform(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
   count_samples(state, samples);
+}
+
+/// Many curves at once: 10,000 signals of 256 samples, a column each.
+template <class Scalar, Direction direction>
+void batch(benchmark::State& state, const char* family) {
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  const Eigen::Index samples = 256, columns = state.range(0);
+  const PeriodicTransform<Scalar> dpwt(find_filter_bank<Scalar>(family), samples,
+                                       all_levels(samples));
+  const Matrix x = Matrix::Random(samples, columns);
+  Matrix y = x;
+  Eigen::Vector<Scalar, Eigen::Dynamic> workspace(dpwt.workspace_size(columns));
+  for (auto _ : state) {
+    if (direction == Direction::forward) dpwt.forward(x, y, workspace);
+    if (direction == Direction::inverse) dpwt.inverse(x, y, workspace);
+    benchmark::DoNotOptimize(y.data());
+    benchmark::ClobberMemory();
+  }
+  count_samples(state, samples * columns);
 }
 
 /// (2.8) as one would write it: a loop over outputs and taps, indices by remainder only at the end.
@@ -126,10 +146,27 @@ void sizes(benchmark::internal::Benchmark* b) {
   for (int exponent : {8, 10, 12, 14, 16, 18, 20, 22}) b->Arg(1 << exponent);
 }
 
-BENCHMARK(transform<double, Direction::forward>)->Apply(sizes);
-BENCHMARK(transform<double, Direction::inverse>)->Apply(sizes);
-BENCHMARK(transform<float, Direction::forward>)->Apply(sizes);
-BENCHMARK(transform<float, Direction::inverse>)->Apply(sizes);
+void columns(benchmark::internal::Benchmark* b) { b->Arg(2)->Arg(8)->Arg(10000); }
+
+/// SCALAR/FAMILY/single/SAMPLES and SCALAR/FAMILY/batch/COLUMNS.
+template <class Scalar, Direction direction>
+void add_transforms(const char* prefix) {
+  for (const char* family : {"db4", "cdf9.7", "bspline4.4"}) {
+    const std::string name = std::string(prefix) + "/" + family;
+    benchmark::RegisterBenchmark((name + "/single").c_str(), single<Scalar, direction>, family)
+        ->Apply(sizes);
+    benchmark::RegisterBenchmark((name + "/batch").c_str(), batch<Scalar, direction>, family)
+        ->Apply(columns);
+  }
+}
+const bool added = [] {
+  add_transforms<double, Direction::forward>("double/forward");
+  add_transforms<double, Direction::inverse>("double/inverse");
+  add_transforms<float, Direction::forward>("float/forward");
+  add_transforms<float, Direction::inverse>("float/inverse");
+  return true;
+}();
+
 BENCHMARK(plain_loop)->Apply(sizes);
 BENCHMARK(gsl<Direction::forward>)->Apply(sizes);
 BENCHMARK(gsl<Direction::inverse>)->Apply(sizes);

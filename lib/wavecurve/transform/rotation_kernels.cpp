@@ -4,10 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
-// Instruction sets that no kernel is built for. SVE and RVV: vectors without a size known to the
-// compiler could not be members of an array; such processors run the baseline kernels. SSSE3: so do
-// the processors that stop short of SSE4 (scalar code, with Highway 1.0).
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3)
+#include "wavecurve/transform/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/rotation_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -20,15 +17,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Index = Eigen::Index;
 
 /// How a vector is filled. along: with successive pairs of one signal; across: with the same pair
-/// of as many signals, whose values alternate in memory. One lane across is plain scalar code.
-enum class Fill { along, across };
+/// of as many signals, whose values alternate in memory; one: a vector of one lane, scalar code.
+enum class Fill { along, across, one };
 
 /// (previous, u) seen one pair earlier: along, the last lane of previous and all of u but its last.
 template <Fill fill, class D, class V>
 HWY_INLINE V delayed([[maybe_unused]] D d, [[maybe_unused]] V u, V previous) {
   using T = hn::TFromD<D>;
   [[maybe_unused]] constexpr std::size_t size = hn::MaxLanes(D()) * sizeof(T);
-  if constexpr (fill == Fill::across || hn::MaxLanes(D()) == 1) {
+  if constexpr (fill != Fill::along || hn::MaxLanes(D()) == 1) {
     return previous;
   }
 #if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
@@ -53,8 +50,10 @@ HWY_INLINE V delayed([[maybe_unused]] D d, [[maybe_unused]] V u, V previous) {
 constexpr int max_rotations = RotationCascade<double>::max_size;
 
 HWY_INLINE Index modulo(Index n, Index period) {
-  const Index remainder = n % period;
-  return remainder < 0 ? remainder + period : remainder;
+  // No division: n is a filter's length away from the period at most.
+  while (n < 0) n += period;
+  while (n >= period) n -= period;
+  return n;
 }
 
 /// K rotations and what they hold back; K = 0: as many as the cascade has, at most max_rotations.
@@ -62,17 +61,22 @@ template <int K, Fill fill, class D>
 struct Rotations {
   using V = hn::Vec<D>;
 
-  HWY_INLINE void step(V& u, V& v) {
-    const int count = K == 0 ? size : K;
-    for (int k = 0; k < count; ++k) {
-      if (k > 0) {
-        const V entering = u;
-        u = delayed<fill>(D(), entering, held[k]);
-        held[k] = entering;
+  /// `count` vectors, one behind the other. A rotation of all before the next rotation: neighbours
+  /// in the program are independent, so that the processor need not look far ahead.
+  template <int count>
+  HWY_INLINE void step(V* u, V* v) {
+    const int rotations = K == 0 ? size : K;
+    for (int k = 0; k < rotations; ++k) {
+      for (int i = 0; i < count; ++i) {
+        if (k > 0) {
+          const V entering = u[i];
+          u[i] = delayed<fill>(D(), entering, held[k]);
+          held[k] = entering;
+        }
+        const V rotated = hn::Add(u[i], hn::Mul(tangent[k], v[i]));
+        v[i] = hn::Sub(v[i], hn::Mul(tangent[k], u[i]));
+        u[i] = rotated;
       }
-      const V rotated = hn::Add(u, hn::Mul(tangent[k], v));
-      v = hn::Sub(v, hn::Mul(tangent[k], u));
-      u = rotated;
     }
   }
 
@@ -99,120 +103,153 @@ class Level {
   }
 
   /// The pairs a vector holds: half must not be smaller.
-  static HWY_INLINE Index advance() { return fill == Fill::across ? 1 : lanes(); }
+  static HWY_INLINE Index advance() { return fill == Fill::along ? lanes() : 1; }
+  static HWY_INLINE Index lanes() { return static_cast<Index>(hn::Lanes(D())); }
 
   /// The output pairs first .. first + count - 1 of the cascade, count a multiple of advance().
   HWY_INLINE void forward(const T* HWY_RESTRICT fine, T* HWY_RESTRICT c, T* HWY_RESTRICT d,
                           Index first, Index count, Index c_shift, Index d_shift) {
-    Index left = start(first, count);
-    Index n = modulo(first_ + c_shift, half_), m = modulo(first_ + d_shift, half_);
-    Index at = modulo(2 * first_ + parity_, 2 * half_);
-    V u, v;
-    const auto advance_by = [&](Index pairs) {
-      left -= pairs;
-      n = wrap(n + pairs, half_);
-      m = wrap(m + pairs, half_);
-      at = wrap(at + 2 * pairs, 2 * half_);
+    const auto wrapped = [&](const Place& at, bool silent) HWY_ATTR {
+      T pairs[2 * copied];
+      V u, v;
+      load_pairs(copy_in(fine, at.fine, 2 * advance(), 2 * half_, pairs), u, v);
+      rotations_.template step<1>(&u, &v);
+      if (silent) return;
+      store_periodic(hn::Mul(u, c_scale_), c, at.c);
+      store_periodic(hn::Mul(v, d_scale_), d, at.d);
     };
-    while (left > 0) {
-      const Index plain = whole(std::min({left, (2 * half_ - at) / 2, half_ - n, half_ - m}));
-      if (plain == 0 || left > count) {
-        T pairs[2 * max_lanes];
-        load_pairs(copy_in(fine, at, 2 * advance(), 2 * half_, pairs), u, v);
-        rotations_.step(u, v);
-        if (left <= count) {
-          store_periodic(hn::Mul(u, c_scale_), c, n);
-          store_periodic(hn::Mul(v, d_scale_), d, m);
-        }
-        advance_by(advance());
-        continue;
-      }
-      const T* HWY_RESTRICT in = fine + at * width();
-      T* HWY_RESTRICT c_out = c + n * width();
-      T* HWY_RESTRICT d_out = d + m * width();
-      InRegisters rotations = rotations_;
-      const V c_scale = c_scale_, d_scale = d_scale_;
-      for (Index i = 0; i < plain * width(); i += lanes()) {
-        load_pairs(in + 2 * i, u, v);
-        rotations.step(u, v);
-        hn::StoreU(hn::Mul(u, c_scale), d_, c_out + i);
-        hn::StoreU(hn::Mul(v, d_scale), d_, d_out + i);
-      }
-      rotations_ = rotations;
-      advance_by(plain);
-    }
+    const auto straight = [&](const Place& at, Index pairs, bool silent) HWY_ATTR {
+      straight_forward(fine + at.fine * row, c + at.c * row, d + at.d * row, pairs, silent);
+    };
+    cover(first, count, c_shift, d_shift, wrapped, straight);
   }
 
   HWY_INLINE void backward(const T* HWY_RESTRICT c, const T* HWY_RESTRICT d, T* HWY_RESTRICT fine,
                            Index first, Index count, Index c_shift, Index d_shift) {
-    Index left = start(first, count);
-    Index n = modulo(first_ + c_shift, half_), m = modulo(first_ + d_shift, half_);
-    Index at = modulo(2 * first_ + parity_, 2 * half_);
-    const auto advance_by = [&](Index pairs) {
-      left -= pairs;
-      n = wrap(n + pairs, half_);
-      m = wrap(m + pairs, half_);
-      at = wrap(at + 2 * pairs, 2 * half_);
+    const auto wrapped = [&](const Place& at, bool silent) HWY_ATTR {
+      T c_copy[copied], d_copy[copied], pairs[2 * copied];
+      V u = hn::Mul(hn::LoadU(d_, copy_in(d, at.d, advance(), half_, d_copy)), d_scale_);
+      V v = hn::Mul(hn::LoadU(d_, copy_in(c, at.c, advance(), half_, c_copy)), c_scale_);
+      rotations_.template step<1>(&u, &v);
+      if (silent) return;
+      store_pairs(v, u, pairs);
+      copy_out(pairs, 2 * advance(), fine, at.fine, 2 * half_);
     };
-    while (left > 0) {
-      const Index plain = whole(std::min({left, (2 * half_ - at) / 2, half_ - n, half_ - m}));
-      if (plain == 0 || left > count) {
-        T c_copy[max_lanes], d_copy[max_lanes], pairs[2 * max_lanes];
-        V u = hn::Mul(hn::LoadU(d_, copy_in(d, m, advance(), half_, d_copy)), d_scale_);
-        V v = hn::Mul(hn::LoadU(d_, copy_in(c, n, advance(), half_, c_copy)), c_scale_);
-        rotations_.step(u, v);
-        if (left <= count) {
-          store_pairs(v, u, pairs);
-          copy_out(pairs, 2 * advance(), fine, at, 2 * half_);
-        }
-        advance_by(advance());
-        continue;
-      }
-      const T* HWY_RESTRICT c_in = c + n * width();
-      const T* HWY_RESTRICT d_in = d + m * width();
-      T* HWY_RESTRICT out = fine + at * width();
-      InRegisters rotations = rotations_;
-      const V c_scale = c_scale_, d_scale = d_scale_;
-      for (Index i = 0; i < plain * width(); i += lanes()) {
-        V u = hn::Mul(hn::LoadU(d_, d_in + i), d_scale);
-        V v = hn::Mul(hn::LoadU(d_, c_in + i), c_scale);
-        rotations.step(u, v);
-        store_pairs(v, u, out + 2 * i);
-      }
-      rotations_ = rotations;
-      advance_by(plain);
-    }
+    const auto straight = [&](const Place& at, Index pairs, bool silent) HWY_ATTR {
+      straight_backward(c + at.c * row, d + at.d * row, fine + at.fine * row, pairs, silent);
+    };
+    cover(first, count, c_shift, d_shift, wrapped, straight);
   }
 
  private:
   /// A copy for the loop, which compilers keep in registers; too large for that where K = 0.
   using InRegisters = std::conditional_t<K == 0, Rotations<K, fill, D>&, Rotations<K, fill, D>>;
+  /// Vectors a step takes at once; of many rotations the state alone fills the registers.
+  static constexpr int at_once = K == 0 || K > 4 ? 1 : HWY_MAX_BYTES == 64 ? 4 : 2;
+
+  /// Where a vector of pairs is among the samples and in the two bands.
+  struct Place {
+    Index fine, c, d;
+  };
+
+  /// Pairs that lie across no end. Silent ones only fill the delays.
+  HWY_INLINE void straight_forward(const T* HWY_RESTRICT in, T* HWY_RESTRICT c, T* HWY_RESTRICT d,
+                                   Index pairs, bool silent) {
+    InRegisters rotations = rotations_;
+    const V c_scale = c_scale_, d_scale = d_scale_;
+    Index i = 0;
+    for (; !silent && i + at_once * advance() <= pairs; i += at_once * advance()) {
+      V u[at_once], v[at_once];
+      for (int k = 0; k < at_once; ++k) load_pairs(in + 2 * (i + k * advance()) * row, u[k], v[k]);
+      rotations.template step<at_once>(u, v);
+      for (int k = 0; k < at_once; ++k) {
+        hn::StoreU(hn::Mul(u[k], c_scale), d_, c + (i + k * advance()) * row);
+        hn::StoreU(hn::Mul(v[k], d_scale), d_, d + (i + k * advance()) * row);
+      }
+    }
+    for (; i < pairs; i += advance()) {
+      V u, v;
+      load_pairs(in + 2 * i * row, u, v);
+      rotations.template step<1>(&u, &v);
+      if (silent) continue;
+      hn::StoreU(hn::Mul(u, c_scale), d_, c + i * row);
+      hn::StoreU(hn::Mul(v, d_scale), d_, d + i * row);
+    }
+    rotations_ = rotations;
+  }
+
+  HWY_INLINE void straight_backward(const T* HWY_RESTRICT c, const T* HWY_RESTRICT d,
+                                    T* HWY_RESTRICT out, Index pairs, bool silent) {
+    InRegisters rotations = rotations_;
+    const V c_scale = c_scale_, d_scale = d_scale_;
+    Index i = 0;
+    for (; !silent && i + at_once * advance() <= pairs; i += at_once * advance()) {
+      V u[at_once], v[at_once];
+      for (int k = 0; k < at_once; ++k) {
+        u[k] = hn::Mul(hn::LoadU(d_, d + (i + k * advance()) * row), d_scale);
+        v[k] = hn::Mul(hn::LoadU(d_, c + (i + k * advance()) * row), c_scale);
+      }
+      rotations.template step<at_once>(u, v);
+      for (int k = 0; k < at_once; ++k) {
+        store_pairs(v[k], u[k], out + 2 * (i + k * advance()) * row);
+      }
+    }
+    for (; i < pairs; i += advance()) {
+      V u = hn::Mul(hn::LoadU(d_, d + i * row), d_scale);
+      V v = hn::Mul(hn::LoadU(d_, c + i * row), c_scale);
+      rotations.template step<1>(&u, &v);
+      if (!silent) store_pairs(v, u, out + 2 * i * row);
+    }
+    rotations_ = rotations;
+  }
+
+  /// Takes the pairs up to first + count - 1, from those that fill the delays on (silent), through
+  /// wrapped(place, silent), a vector of which a part lies across an end, or straight(place, pairs,
+  /// silent).
+  template <class Wrapped, class Straight>
+  HWY_INLINE void cover(Index first, Index count, Index c_shift, Index d_shift, Wrapped wrapped,
+                        Straight straight) {
+    for (int k = 1; k < rotations_.size; ++k) rotations_.held[k] = hn::Zero(d_);
+    const Index before = (rotations_.size - 1 + advance() - 1) / advance() * advance();
+    first -= before;
+    Place at{modulo(2 * first + parity_, 2 * half_), modulo(first + c_shift, half_),
+             modulo(first + d_shift, half_)};
+    for (Index left = before + count, pairs; left > 0; left -= pairs) {
+      const bool silent = left > count;
+      pairs = whole(std::min(
+          {silent ? left - count : left, (2 * half_ - at.fine) / 2, half_ - at.c, half_ - at.d}));
+      if (pairs > 0) {
+        straight(at, pairs, silent);
+      } else {
+        pairs = advance();
+        wrapped(at, silent);
+      }
+      at = {wrap(at.fine + 2 * pairs, 2 * half_), wrap(at.c + pairs, half_),
+            wrap(at.d + pairs, half_)};
+    }
+  }
+
+  /// Values from one sample to the next.
+  static constexpr Index row = fill == Fill::across ? group_size<T> : 1;
   static constexpr Index max_lanes = static_cast<Index>(hn::MaxLanes(D()));
-  static HWY_INLINE Index lanes() { return static_cast<Index>(hn::Lanes(D())); }
-  static HWY_INLINE Index width() { return fill == Fill::across ? lanes() : 1; }
+  static constexpr Index copied = std::max(row, max_lanes);
+  /// Neighbours in memory of one sample.
+  static HWY_INLINE Index run() { return fill == Fill::across ? lanes() : 1; }
   static HWY_INLINE Index whole(Index pairs) { return pairs / advance() * advance(); }
   static HWY_INLINE Index wrap(Index n, Index period) { return n < period ? n : n - period; }
 
-  /// Forgets what went before: the vectors in front of `first` fill the delays.
-  HWY_INLINE Index start(Index first, Index count) {
-    for (int k = 1; k < rotations_.size; ++k) rotations_.held[k] = hn::Zero(d_);
-    const Index before = (rotations_.size - 1 + advance() - 1) / advance() * advance();
-    first_ = first - before;
-    return before + count;
-  }
-
   HWY_INLINE void load_pairs(const T* HWY_RESTRICT in, V& u, V& v) {
-    if constexpr (fill == Fill::across) {
+    if constexpr (fill != Fill::along) {
       u = hn::LoadU(d_, in);
-      v = hn::LoadU(d_, in + lanes());
+      v = hn::LoadU(d_, in + row);
     } else {
       hn::LoadInterleaved2(d_, in, u, v);
     }
   }
   HWY_INLINE void store_pairs(V u, V v, T* HWY_RESTRICT out) {
-    if constexpr (fill == Fill::across) {
+    if constexpr (fill != Fill::along) {
       hn::StoreU(u, d_, out);
-      hn::StoreU(v, d_, out + lanes());
+      hn::StoreU(v, d_, out + row);
     } else {
       hn::StoreInterleaved2(u, v, d_, out);
     }
@@ -221,19 +258,19 @@ class Level {
   /// `count` values from `at` on, those beyond the period from its beginning.
   static HWY_INLINE const T* copy_in(const T* source, Index at, Index count, Index period,
                                      T* copy) {
-    if (at + count <= period) return source + at * width();
+    if (at + count <= period) return source + at * row;
     for (Index j = 0; j < count; ++j) {
-      std::copy_n(source + wrap(at + j, period) * width(), width(), copy + j * width());
+      std::copy_n(source + wrap(at + j, period) * row, run(), copy + j * row);
     }
     return copy;
   }
   static HWY_INLINE void copy_out(const T* values, Index count, T* target, Index at, Index period) {
     for (Index j = 0; j < count; ++j) {
-      std::copy_n(values + j * width(), width(), target + wrap(at + j, period) * width());
+      std::copy_n(values + j * row, run(), target + wrap(at + j, period) * row);
     }
   }
   HWY_INLINE void store_periodic(V values, T* target, Index at) {
-    T copy[max_lanes];
+    T copy[copied];
     hn::StoreU(values, d_, copy);
     copy_out(copy, advance(), target, at, half_);
   }
@@ -242,7 +279,6 @@ class Level {
   const Index half_, parity_;
   const V c_scale_, d_scale_;
   Rotations<K, fill, D> rotations_;
-  Index first_ = 0;
 };
 
 /// Covers 0 .. half - 1 by whole vectors: the last run overlaps the one before it if need be, and
@@ -274,19 +310,33 @@ HWY_INLINE void backward_level(const RotationCascade<T>& cascade, const T* c, co
 }
 
 template <int K, class T>
-HWY_NOINLINE void forward(const RotationCascade<T>& cascade, const T* fine, Index half, T* c,
-                          T* d) {
+HWY_NOINLINE void forward(const RotationCascade<T>& cascade, const T* fine, Index half, T* c, T* d,
+                          Layout layout) {
   using Wide = Level<K, Fill::along, hn::ScalableTag<T>>;
-  using Single = Level<K, Fill::across, hn::CappedTag<T, 1>>;
+  using Single = Level<K, Fill::one, hn::CappedTag<T, 1>>;
+  using Group = Level<K, Fill::across, hn::ScalableTag<T>>;
+  if (layout == Layout::interleaved) {
+    for (Index s = 0; s < group_size<T>; s += Group::lanes()) {
+      forward_level<Group>(cascade, fine + s, half, c + s, d + s);
+    }
+    return;
+  }
   if (half >= Wide::advance()) return forward_level<Wide>(cascade, fine, half, c, d);
   forward_level<Single>(cascade, fine, half, c, d);
 }
 
 template <int K, class T>
 HWY_NOINLINE void backward(const RotationCascade<T>& cascade, const T* c, const T* d, Index half,
-                           T* fine) {
+                           T* fine, Layout layout) {
   using Wide = Level<K, Fill::along, hn::ScalableTag<T>>;
-  using Single = Level<K, Fill::across, hn::CappedTag<T, 1>>;
+  using Single = Level<K, Fill::one, hn::CappedTag<T, 1>>;
+  using Group = Level<K, Fill::across, hn::ScalableTag<T>>;
+  if (layout == Layout::interleaved) {
+    for (Index s = 0; s < group_size<T>; s += Group::lanes()) {
+      backward_level<Group>(cascade, c + s, d + s, half, fine + s);
+    }
+    return;
+  }
   if (half >= Wide::advance()) return backward_level<Wide>(cascade, c, d, half, fine);
   backward_level<Single>(cascade, c, d, half, fine);
 }
@@ -309,20 +359,20 @@ HWY_NOINLINE void backward(const RotationCascade<T>& cascade, const T* c, const 
       return function<0>(__VA_ARGS__);   \
   }
 void forward_double(const RotationCascade<double>& cascade, const double* fine, Index half,
-                    double* c, double* d) {
-  WAVECURVE_BY_SIZE(forward, cascade, fine, half, c, d)
+                    double* c, double* d, Layout layout) {
+  WAVECURVE_BY_SIZE(forward, cascade, fine, half, c, d, layout)
 }
 void forward_float(const RotationCascade<float>& cascade, const float* fine, Index half, float* c,
-                   float* d) {
-  WAVECURVE_BY_SIZE(forward, cascade, fine, half, c, d)
+                   float* d, Layout layout) {
+  WAVECURVE_BY_SIZE(forward, cascade, fine, half, c, d, layout)
 }
 void backward_double(const RotationCascade<double>& cascade, const double* c, const double* d,
-                     Index half, double* fine) {
-  WAVECURVE_BY_SIZE(backward, cascade, c, d, half, fine)
+                     Index half, double* fine, Layout layout) {
+  WAVECURVE_BY_SIZE(backward, cascade, c, d, half, fine, layout)
 }
 void backward_float(const RotationCascade<float>& cascade, const float* c, const float* d,
-                    Index half, float* fine) {
-  WAVECURVE_BY_SIZE(backward, cascade, c, d, half, fine)
+                    Index half, float* fine, Layout layout) {
+  WAVECURVE_BY_SIZE(backward, cascade, c, d, half, fine, layout)
 }
 #undef WAVECURVE_BY_SIZE
 
@@ -339,23 +389,23 @@ HWY_EXPORT(backward_float);
 
 template <>
 void rotate_forward(const RotationCascade<double>& cascade, const double* fine, Eigen::Index half,
-                    double* c, double* d) {
-  HWY_DYNAMIC_DISPATCH(forward_double)(cascade, fine, half, c, d);
+                    double* c, double* d, Layout layout) {
+  HWY_DYNAMIC_DISPATCH(forward_double)(cascade, fine, half, c, d, layout);
 }
 template <>
 void rotate_forward(const RotationCascade<float>& cascade, const float* fine, Eigen::Index half,
-                    float* c, float* d) {
-  HWY_DYNAMIC_DISPATCH(forward_float)(cascade, fine, half, c, d);
+                    float* c, float* d, Layout layout) {
+  HWY_DYNAMIC_DISPATCH(forward_float)(cascade, fine, half, c, d, layout);
 }
 template <>
 void rotate_backward(const RotationCascade<double>& cascade, const double* c, const double* d,
-                     Eigen::Index half, double* fine) {
-  HWY_DYNAMIC_DISPATCH(backward_double)(cascade, c, d, half, fine);
+                     Eigen::Index half, double* fine, Layout layout) {
+  HWY_DYNAMIC_DISPATCH(backward_double)(cascade, c, d, half, fine, layout);
 }
 template <>
 void rotate_backward(const RotationCascade<float>& cascade, const float* c, const float* d,
-                     Eigen::Index half, float* fine) {
-  HWY_DYNAMIC_DISPATCH(backward_float)(cascade, c, d, half, fine);
+                     Eigen::Index half, float* fine, Layout layout) {
+  HWY_DYNAMIC_DISPATCH(backward_float)(cascade, c, d, half, fine, layout);
 }
 
 }  // namespace wavecurve

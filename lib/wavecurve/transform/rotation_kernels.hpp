@@ -1,5 +1,6 @@
 #pragma once
 
+#include "wavecurve/transform/interleave.hpp"
 #include "wavecurve/transform/rotation_cascade.hpp"
 
 /// One level of the transform by a cascade of rotations, vectorised for the processor at hand.
@@ -10,11 +11,11 @@ namespace wavecurve {
 /// As FilterPair::analyse.
 template <class Scalar>
 void rotate_forward(const RotationCascade<Scalar>& cascade, const Scalar* fine, Eigen::Index half,
-                    Scalar* c, Scalar* d);
+                    Scalar* c, Scalar* d, Layout layout = Layout::single);
 
 /// As FilterPair::synthesise.
 template <class Scalar>
 void rotate_backward(const RotationCascade<Scalar>& cascade, const Scalar* c, const Scalar* d,
-                     Eigen::Index half, Scalar* fine);
+                     Eigen::Index half, Scalar* fine, Layout layout = Layout::single);
 
 }  // namespace wavecurve
