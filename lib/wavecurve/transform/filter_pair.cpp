@@ -50,7 +50,28 @@ Eigen::Index FilterPair<Scalar>::overlap() const {
 
 template <class Scalar>
 Eigen::Index FilterPair<Scalar>::buffer_size(Layout layout) const {
-  return 4 * row_size<Scalar>(layout) * (block_size(layout) + overlap());
+  const Eigen::Index rings = rotations_ ? (fused_levels - 1) * ring_size : 0;
+  return std::max(rings, 4 * row_size<Scalar>(layout) * (block_size(layout) + overlap()));
+}
+
+template <class Scalar>
+int FilterPair<Scalar>::levels_at_once(Eigen::Index samples, Layout layout) const {
+  const bool fused = rotations_ && layout == Layout::single && samples >= fused_from &&
+                     samples % (ring_size << fused_levels) == 0;
+  return fused ? fused_levels : 1;
+}
+
+template <class Scalar>
+void FilterPair<Scalar>::analyse_levels(const Scalar* fine, Eigen::Index samples, Scalar* c,
+                                        Scalar* bands, Scalar* buffer) const {
+  rotate_forward_fused(*rotations_, fine, samples, c, bands, buffer);
+}
+
+template <class Scalar>
+void FilterPair<Scalar>::synthesise_levels(const Scalar* c, const Scalar* bands,
+                                           Eigen::Index samples, Scalar* fine,
+                                           Scalar* buffer) const {
+  rotate_backward_fused(*rotations_, c, bands, samples, fine, buffer);
 }
 
 template <class Scalar>

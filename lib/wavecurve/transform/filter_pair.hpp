@@ -27,6 +27,14 @@ class FilterPair {
                   Layout layout) const;
   Eigen::Index buffer_size(Layout layout) const;
 
+  /// The levels that the following take at once from a signal of that many samples on, 1 if none.
+  int levels_at_once(Eigen::Index samples, Layout layout) const;
+  /// As analyse and synthesise, of so many levels; d of level j is at bands + samples / 2^j.
+  void analyse_levels(const Scalar* fine, Eigen::Index samples, Scalar* c, Scalar* bands,
+                      Scalar* buffer) const;
+  void synthesise_levels(const Scalar* c, const Scalar* bands, Eigen::Index samples, Scalar* fine,
+                         Scalar* buffer) const;
+
  private:
   /// Taps 2t and 2t + 1, t = first .. first + pairs_ - 1, in this order and reversed.
   struct Polyphase {

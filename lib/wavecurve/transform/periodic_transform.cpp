@@ -80,12 +80,20 @@ void PeriodicTransform<Scalar>::analyse(const Filters& filters, const Scalar* in
   // The scaling coefficients alternate between the two halves. The first level, in place, would
   // overwrite what it has still to read.
   const Scalar* fine = input;
-  for (int level = 1; level <= levels_; ++level) {
-    const Eigen::Index half = size >> level;
+  for (int level = 0, pass = 0; level < levels_; ++pass) {
     const bool aside = fine == output;
-    Scalar* const c = level == levels_ && !aside ? output : halves[level % 2];
-    Scalar* const d = aside ? halves[1 - level % 2] : output + half;
-    filters.analyse(fine, samples_ >> level, c, d, buffer, layout);
+    const Eigen::Index samples = samples_ >> level;
+    const int at_once = aside ? 1 : filters.levels_at_once(samples, layout);
+    const bool fused = at_once > 1 && level + at_once <= levels_;
+    level += fused ? at_once : 1;
+    const Eigen::Index half = size >> level;
+    Scalar* const c = level == levels_ && !aside ? output : halves[1 - pass % 2];
+    Scalar* const d = aside ? halves[0] : output + half;
+    if (fused) {
+      filters.analyse_levels(fine, samples, c, output, buffer);
+    } else {
+      filters.analyse(fine, samples / 2, c, d, buffer, layout);
+    }
     if (aside) std::copy_n(d, half, output + half);
     if (aside && level == levels_) std::copy_n(c, half, output);
     fine = c;
@@ -99,16 +107,29 @@ void PeriodicTransform<Scalar>::synthesise(const Filters& filters, const Scalar*
   if (levels_ == 0 && output != input) std::copy_n(input, size, output);
   Scalar* const halves[2] = {workspace, workspace + size / 2};
   Scalar* const buffer = workspace + size;
+  // In place, the last level would overwrite what it has still to read.
+  const int aside = output == input ? 1 : 0;
   const Scalar* c = input;
-  for (int level = levels_; level >= 1; --level) {
+  for (int level = levels_, pass = 0; level > 0; ++pass) {
+    // Fused are the finest levels, where memory counts: whole groups of them from the last on.
+    int at_once = filters.levels_at_once(samples_ >> aside, layout);
+    const bool fused = at_once > 1 && level > aside && (level - aside) % at_once == 0 &&
+                       filters.levels_at_once(samples_ >> (level - at_once), layout) > 1;
+    if (!fused) at_once = 1;
     const Eigen::Index half = size >> level;
+    level -= at_once;
     const Scalar* d = input + half;
-    Scalar* const fine = level == 1 ? output : halves[level % 2];
-    if (fine == input) {  // in place, the last level would overwrite what it has still to read
-      d = std::copy_n(d, half, halves[1]) - half;
-      if (c == input) c = std::copy_n(c, half, halves[0]) - half;
+    Scalar* const fine = level == 0 ? output : halves[pass % 2];
+    if (fine == input) {
+      Scalar* const free = halves[pass % 2];
+      d = std::copy_n(d, half, free) - half;
+      if (c == input) c = std::copy_n(c, half, halves[1 - pass % 2]) - half;
     }
-    filters.synthesise(c, d, samples_ >> level, fine, buffer, layout);
+    if (fused) {
+      filters.synthesise_levels(c, input, samples_ >> level, fine, buffer);
+    } else {
+      filters.synthesise(c, d, samples_ >> (level + 1), fine, buffer, layout);
+    }
     c = fine;
   }
 }

@@ -120,6 +120,48 @@ TEST(PeriodicTransformColumns, MayBeLong) {
   }
 }
 
+/// Long signals are taken several levels at a time; in place, and level by level, they are not.
+template <class Scalar>
+void expect_fused_levels_to_give_the_same_bits() {
+  for (const char* name : {"haar", "db4", "db38", "bspline4.4"}) {
+    const FilterBank<Scalar> bank = find_filter_bank<Scalar>(name);
+    for (Eigen::Index samples : {1 << 21, 5 << 19}) {
+      for (int levels : {3, 5}) {
+        const Transform<Scalar> transform(bank, samples, levels);
+        const Vector<Scalar> x = Vector<Scalar>::Random(samples);
+        Vector<Scalar> y(samples), in_place = x, one_by_one = x;
+        run(transform, Direction::forward, x, y);
+        run(transform, Direction::forward, in_place, in_place);
+        EXPECT_TRUE(in_place == y) << name << ", forward, " << levels << " levels";
+        for (int level = 0; level < levels; ++level) {
+          const Transform<Scalar> one_level(bank, samples >> level, 1);
+          auto part = one_by_one.head(samples >> level);
+          run(one_level, Direction::forward, part, part);
+        }
+        EXPECT_TRUE(one_by_one == y) << name << ", forward, " << levels << " levels";
+
+        run(transform, Direction::inverse, x, y);
+        in_place = one_by_one = x;
+        run(transform, Direction::inverse, in_place, in_place);
+        EXPECT_TRUE(in_place == y) << name << ", inverse, " << levels << " levels";
+        for (int level = levels - 1; level >= 0; --level) {
+          const Transform<Scalar> one_level(bank, samples >> level, 1);
+          auto part = one_by_one.head(samples >> level);
+          run(one_level, Direction::inverse, part, part);
+        }
+        EXPECT_TRUE(one_by_one == y) << name << ", inverse, " << levels << " levels";
+      }
+    }
+  }
+}
+
+TEST(PeriodicTransformColumns, OfLongSignalsAreTheLevelsOneByOneInDouble) {
+  expect_fused_levels_to_give_the_same_bits<double>();
+}
+TEST(PeriodicTransformColumns, OfLongSignalsAreTheLevelsOneByOneInFloat) {
+  expect_fused_levels_to_give_the_same_bits<float>();
+}
+
 TEST(PeriodicTransformColumns, AreNotCopiedToBeSeen) {
   const auto sees = [](Transform<double>::In x) { return x.data(); };
   Eigen::MatrixXd x(8, 6);

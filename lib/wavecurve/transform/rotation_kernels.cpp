@@ -50,16 +50,18 @@ HWY_INLINE V delayed([[maybe_unused]] D d, [[maybe_unused]] V u, V previous) {
 constexpr int max_rotations = RotationCascade<double>::max_size;
 
 HWY_INLINE Index modulo(Index n, Index period) {
-  // No division: n is a filter's length away from the period at most.
-  while (n < 0) n += period;
-  while (n >= period) n -= period;
-  return n;
+  if (n < 0 && n >= -period) return n + period;  // mostly, and without a division
+  if (n >= 0 && n < period) return n;
+  const Index remainder = n % period;
+  return remainder < 0 ? remainder + period : remainder;
 }
 
 /// K rotations and what they hold back; K = 0: as many as the cascade has, at most max_rotations.
 template <int K, Fill fill, class D>
 struct Rotations {
   using V = hn::Vec<D>;
+
+  HWY_INLINE Rotations() {}  // an implicit one would not be compiled for the target
 
   /// `count` vectors, one behind the other. A rotation of all before the next rotation: neighbours
   /// in the program are independent, so that the processor need not look far ahead.
@@ -84,15 +86,19 @@ struct Rotations {
   V tangent[K == 0 ? max_rotations : K], held[K == 0 ? max_rotations : K];
 };
 
-/// One level.
+/// One level. The samples and the bands are periodic in memory, each with its own period: that of
+/// the level, or that of a ring which holds what another level has just written.
 template <int K, Fill fill, class D>
 class Level {
  public:
   using T = hn::TFromD<D>;
   using V = hn::Vec<D>;
 
-  HWY_INLINE Level(const RotationCascade<T>& cascade, const std::vector<T>& tangents, Index half)
-      : half_(half),
+  HWY_INLINE Level(const RotationCascade<T>& cascade, const std::vector<T>& tangents,
+                   Index fine_period, Index c_period, Index d_period)
+      : fine_period_(fine_period),
+        c_period_(c_period),
+        d_period_(d_period),
         parity_(cascade.parity),
         c_scale_(hn::Set(d_, cascade.low_scale)),
         d_scale_(hn::Set(d_, cascade.high_scale)) {
@@ -106,17 +112,22 @@ class Level {
   static HWY_INLINE Index advance() { return fill == Fill::along ? lanes() : 1; }
   static HWY_INLINE Index lanes() { return static_cast<Index>(hn::Lanes(D())); }
 
+  /// The pairs in front of the first, in whole vectors, that fill the delays.
+  static HWY_INLINE Index delay(int rotations) {
+    return (rotations - 1 + advance() - 1) / advance() * advance();
+  }
+
   /// The output pairs first .. first + count - 1 of the cascade, count a multiple of advance().
   HWY_INLINE void forward(const T* HWY_RESTRICT fine, T* HWY_RESTRICT c, T* HWY_RESTRICT d,
                           Index first, Index count, Index c_shift, Index d_shift) {
     const auto wrapped = [&](const Place& at, bool silent) HWY_ATTR {
       T pairs[2 * copied];
       V u, v;
-      load_pairs(copy_in(fine, at.fine, 2 * advance(), 2 * half_, pairs), u, v);
+      load_pairs(copy_in(fine, at.fine, 2 * advance(), fine_period_, pairs), u, v);
       rotations_.template step<1>(&u, &v);
       if (silent) return;
-      store_periodic(hn::Mul(u, c_scale_), c, at.c);
-      store_periodic(hn::Mul(v, d_scale_), d, at.d);
+      store_periodic(hn::Mul(u, c_scale_), c, at.c, c_period_);
+      store_periodic(hn::Mul(v, d_scale_), d, at.d, d_period_);
     };
     const auto straight = [&](const Place& at, Index pairs, bool silent) HWY_ATTR {
       straight_forward(fine + at.fine * row, c + at.c * row, d + at.d * row, pairs, silent);
@@ -128,12 +139,12 @@ class Level {
                            Index first, Index count, Index c_shift, Index d_shift) {
     const auto wrapped = [&](const Place& at, bool silent) HWY_ATTR {
       T c_copy[copied], d_copy[copied], pairs[2 * copied];
-      V u = hn::Mul(hn::LoadU(d_, copy_in(d, at.d, advance(), half_, d_copy)), d_scale_);
-      V v = hn::Mul(hn::LoadU(d_, copy_in(c, at.c, advance(), half_, c_copy)), c_scale_);
+      V u = hn::Mul(hn::LoadU(d_, copy_in(d, at.d, advance(), d_period_, d_copy)), d_scale_);
+      V v = hn::Mul(hn::LoadU(d_, copy_in(c, at.c, advance(), c_period_, c_copy)), c_scale_);
       rotations_.template step<1>(&u, &v);
       if (silent) return;
       store_pairs(v, u, pairs);
-      copy_out(pairs, 2 * advance(), fine, at.fine, 2 * half_);
+      copy_out(pairs, 2 * advance(), fine, at.fine, fine_period_);
     };
     const auto straight = [&](const Place& at, Index pairs, bool silent) HWY_ATTR {
       straight_backward(c + at.c * row, d + at.d * row, fine + at.fine * row, pairs, silent);
@@ -210,22 +221,22 @@ class Level {
   HWY_INLINE void cover(Index first, Index count, Index c_shift, Index d_shift, Wrapped wrapped,
                         Straight straight) {
     for (int k = 1; k < rotations_.size; ++k) rotations_.held[k] = hn::Zero(d_);
-    const Index before = (rotations_.size - 1 + advance() - 1) / advance() * advance();
+    const Index before = delay(rotations_.size);
     first -= before;
-    Place at{modulo(2 * first + parity_, 2 * half_), modulo(first + c_shift, half_),
-             modulo(first + d_shift, half_)};
+    Place at{modulo(2 * first + parity_, fine_period_), modulo(first + c_shift, c_period_),
+             modulo(first + d_shift, d_period_)};
     for (Index left = before + count, pairs; left > 0; left -= pairs) {
       const bool silent = left > count;
-      pairs = whole(std::min(
-          {silent ? left - count : left, (2 * half_ - at.fine) / 2, half_ - at.c, half_ - at.d}));
+      pairs = whole(std::min({silent ? left - count : left, (fine_period_ - at.fine) / 2,
+                              c_period_ - at.c, d_period_ - at.d}));
       if (pairs > 0) {
         straight(at, pairs, silent);
       } else {
         pairs = advance();
         wrapped(at, silent);
       }
-      at = {wrap(at.fine + 2 * pairs, 2 * half_), wrap(at.c + pairs, half_),
-            wrap(at.d + pairs, half_)};
+      at = {wrap(at.fine + 2 * pairs, fine_period_), wrap(at.c + pairs, c_period_),
+            wrap(at.d + pairs, d_period_)};
     }
   }
 
@@ -269,14 +280,14 @@ class Level {
       std::copy_n(values + j * row, run(), target + wrap(at + j, period) * row);
     }
   }
-  HWY_INLINE void store_periodic(V values, T* target, Index at) {
+  HWY_INLINE void store_periodic(V values, T* target, Index at, Index period) {
     T copy[copied];
     hn::StoreU(values, d_, copy);
-    copy_out(copy, advance(), target, at, half_);
+    copy_out(copy, advance(), target, at, period);
   }
 
   const D d_;
-  const Index half_, parity_;
+  const Index fine_period_, c_period_, d_period_, parity_;
   const V c_scale_, d_scale_;
   Rotations<K, fill, D> rotations_;
 };
@@ -293,7 +304,7 @@ HWY_INLINE void cover(Index half, Run run) {
 template <class L, class T>
 HWY_INLINE void forward_level(const RotationCascade<T>& cascade, const T* fine, Index half, T* c,
                               T* d) {
-  L level(cascade, cascade.tangents, half);
+  L level(cascade, cascade.tangents, 2 * half, half, half);
   const Index delay = 1 - cascade.size();
   cover<L>(half, [&](Index first, Index count) {
     level.forward(fine, c, d, first, count, delay - cascade.low_first, delay - cascade.high_first);
@@ -303,7 +314,7 @@ HWY_INLINE void forward_level(const RotationCascade<T>& cascade, const T* fine, 
 template <class L, class T>
 HWY_INLINE void backward_level(const RotationCascade<T>& cascade, const T* c, const T* d,
                                Index half, T* fine) {
-  L level(cascade, cascade.reversed_tangents, half);
+  L level(cascade, cascade.reversed_tangents, 2 * half, half, half);
   cover<L>(half, [&](Index first, Index count) {
     level.backward(c, d, fine, first, count, -cascade.low_first, -cascade.high_first);
   });
@@ -341,6 +352,98 @@ HWY_NOINLINE void backward(const RotationCascade<T>& cascade, const T* c, const 
   backward_level<Single>(cascade, c, d, half, fine);
 }
 
+/// Several levels of one signal at once, a block after the other: what one level writes for the
+/// next stays in a ring in the first-level cache.
+template <int K, class T>
+class Chain {
+ public:
+  using L = Level<K, Fill::along, hn::ScalableTag<T>>;
+
+  HWY_INLINE Chain(const RotationCascade<T>& cascade, Index samples, T* rings)
+      : cascade_(cascade), samples_(samples), rings_(rings) {}
+
+  HWY_INLINE void forward(const T* fine, T* c, T* bands) {
+    const Index delay = 1 - cascade_.size();
+    c_shift_ = delay - cascade_.low_first;
+    d_shift_ = delay - cascade_.high_first;
+    for (int level = fused_levels; level > 1; --level) {
+      done_[level - 1] =
+          2 * (done_[level] - L::delay(cascade_.size())) + cascade_.parity - c_shift_;
+    }
+    for (Index end = block; end <= samples_ >> fused_levels; end += block) {
+      forward_to(end, fused_levels, fine, c, bands);
+    }
+  }
+
+  HWY_INLINE void backward(const T* c, const T* bands, T* fine) {
+    c_shift_ = -cascade_.low_first;
+    d_shift_ = -cascade_.high_first;
+    for (int level = 1; level < fused_levels; ++level) {
+      done_[level + 1] = pair_of(done_[level] - L::delay(cascade_.size()) + c_shift_);
+    }
+    constexpr Index finest_block = block << (fused_levels - 1);
+    for (Index end = finest_block; end <= samples_ >> 1; end += finest_block) {
+      backward_to(end, 1, c, bands, fine);
+    }
+  }
+
+ private:
+  /// Pairs of the coarsest level at a time.
+  static constexpr Index block = ring_size >> fused_levels;
+
+  /// The pair of samples that the n-th sample belongs to.
+  HWY_INLINE Index pair_of(Index n) const { return (n - cascade_.parity) >> 1; }
+  /// Ends on a whole vector, after the pairs that are done.
+  HWY_INLINE Index whole_vectors(Index end, int level) const {
+    const Index count = std::max(end - done_[level], Index{0});
+    return done_[level] + (count + L::advance() - 1) / L::advance() * L::advance();
+  }
+  HWY_INLINE T* ring(int level) const { return rings_ + (level - 1) * ring_size; }
+
+  void forward_to(Index end, int level, const T* fine, T* c, T* bands) {
+    end = whole_vectors(end, level);
+    if (level > 1) {
+      forward_to(2 * end + cascade_.parity - c_shift_, level - 1, fine, c, bands);
+    }
+    const bool last = level == fused_levels;
+    const Index half = samples_ >> level;
+    L(cascade_, cascade_.tangents, level == 1 ? samples_ : ring_size, last ? half : ring_size, half)
+        .forward(level == 1 ? fine : ring(level - 1), last ? c : ring(level), bands + half,
+                 done_[level], end - done_[level], c_shift_, d_shift_);
+    done_[level] = end;
+  }
+
+  void backward_to(Index end, int level, const T* c, const T* bands, T* fine) {
+    end = whole_vectors(end, level);
+    const bool last = level == fused_levels;
+    if (!last) backward_to(pair_of(end - 1 + c_shift_) + 1, level + 1, c, bands, fine);
+    const Index half = samples_ >> level;
+    L(cascade_, cascade_.reversed_tangents, level == 1 ? samples_ : ring_size,
+      last ? half : ring_size, half)
+        .backward(last ? c : ring(level), bands + half, level == 1 ? fine : ring(level - 1),
+                  done_[level], end - done_[level], c_shift_, d_shift_);
+    done_[level] = end;
+  }
+
+  const RotationCascade<T>& cascade_;
+  const Index samples_;
+  T* const rings_;
+  Index c_shift_ = 0, d_shift_ = 0;
+  Index done_[fused_levels + 1] = {};  ///< of each level, the pairs in front of it are computed
+};
+
+template <int K, class T>
+HWY_NOINLINE void forward_chain(const RotationCascade<T>& cascade, const T* fine, Index samples,
+                                T* c, T* bands, T* rings) {
+  Chain<K, T>(cascade, samples, rings).forward(fine, c, bands);
+}
+
+template <int K, class T>
+HWY_NOINLINE void backward_chain(const RotationCascade<T>& cascade, const T* c, const T* bands,
+                                 Index samples, T* fine, T* rings) {
+  Chain<K, T>(cascade, samples, rings).backward(c, bands, fine);
+}
+
 #define WAVECURVE_BY_SIZE(function, ...) \
   switch (cascade.size()) {              \
     case 1:                              \
@@ -374,6 +477,22 @@ void backward_float(const RotationCascade<float>& cascade, const float* c, const
                     Index half, float* fine, Layout layout) {
   WAVECURVE_BY_SIZE(backward, cascade, c, d, half, fine, layout)
 }
+void forward_chain_double(const RotationCascade<double>& cascade, const double* fine, Index samples,
+                          double* c, double* bands, double* rings) {
+  WAVECURVE_BY_SIZE(forward_chain, cascade, fine, samples, c, bands, rings)
+}
+void backward_chain_double(const RotationCascade<double>& cascade, const double* c,
+                           const double* bands, Index samples, double* fine, double* rings) {
+  WAVECURVE_BY_SIZE(backward_chain, cascade, c, bands, samples, fine, rings)
+}
+void forward_chain_float(const RotationCascade<float>& cascade, const float* fine, Index samples,
+                         float* c, float* bands, float* rings) {
+  WAVECURVE_BY_SIZE(forward_chain, cascade, fine, samples, c, bands, rings)
+}
+void backward_chain_float(const RotationCascade<float>& cascade, const float* c, const float* bands,
+                          Index samples, float* fine, float* rings) {
+  WAVECURVE_BY_SIZE(backward_chain, cascade, c, bands, samples, fine, rings)
+}
 #undef WAVECURVE_BY_SIZE
 
 }  // namespace wavecurve::HWY_NAMESPACE
@@ -406,6 +525,32 @@ template <>
 void rotate_backward(const RotationCascade<float>& cascade, const float* c, const float* d,
                      Eigen::Index half, float* fine, Layout layout) {
   HWY_DYNAMIC_DISPATCH(backward_float)(cascade, c, d, half, fine, layout);
+}
+
+HWY_EXPORT(forward_chain_double);
+HWY_EXPORT(backward_chain_double);
+template <>
+void rotate_forward_fused(const RotationCascade<double>& cascade, const double* fine,
+                          Eigen::Index samples, double* c, double* bands, double* rings) {
+  HWY_DYNAMIC_DISPATCH(forward_chain_double)(cascade, fine, samples, c, bands, rings);
+}
+template <>
+void rotate_backward_fused(const RotationCascade<double>& cascade, const double* c,
+                           const double* bands, Eigen::Index samples, double* fine, double* rings) {
+  HWY_DYNAMIC_DISPATCH(backward_chain_double)(cascade, c, bands, samples, fine, rings);
+}
+
+HWY_EXPORT(forward_chain_float);
+HWY_EXPORT(backward_chain_float);
+template <>
+void rotate_forward_fused(const RotationCascade<float>& cascade, const float* fine,
+                          Eigen::Index samples, float* c, float* bands, float* rings) {
+  HWY_DYNAMIC_DISPATCH(forward_chain_float)(cascade, fine, samples, c, bands, rings);
+}
+template <>
+void rotate_backward_fused(const RotationCascade<float>& cascade, const float* c,
+                           const float* bands, Eigen::Index samples, float* fine, float* rings) {
+  HWY_DYNAMIC_DISPATCH(backward_chain_float)(cascade, c, bands, samples, fine, rings);
 }
 
 }  // namespace wavecurve
