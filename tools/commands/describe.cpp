@@ -22,7 +22,9 @@ namespace wavecurve::tools {
 namespace {
 
 struct Options {
-  std::string input, filter = "db4", output;
+  /// Smooth at every scale, and symmetric, so that the two ways of an open stroke coincide.
+  std::string filter = "bspline4.4";
+  std::string input, output;
   long samples = 256;
   int levels = -1;  ///< -1: down to 16 coefficients
   bool interpolate = false, keep_corners = false;

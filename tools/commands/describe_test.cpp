@@ -34,13 +34,14 @@ Contour points_of(const std::filesystem::path& path, Eigen::Index samples) {
 TEST_F(DescribeCommand, PrintsATable) {
   const ProgramRun run = wavecurve("describe " + three);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(run.out.starts_with("filter db4, 256 samples a contour, 4 levels\n")) << run.out;
+  EXPECT_TRUE(run.out.starts_with("filter bspline4.4, 256 samples a contour, 4 levels\n"))
+      << run.out;
   EXPECT_NE(run.out.find("three        0  closed"), std::string::npos) << run.out;
   EXPECT_EQ(run.err, "");
 }
 
 TEST_F(DescribeCommand, GivesTheSamplesBack) {
-  for (const char* more : {"", " --filter bspline4.4", " --filter K2 --interpolate --levels 2"}) {
+  for (const char* more : {"", " --filter D8", " --filter K2 --interpolate --levels 2"}) {
     ASSERT_EQ(wavecurve("describe " + three + more + " --samples 128 -o d.json").exit_code, 0);
     ASSERT_EQ(wavecurve("reconstruct d.json -o d.csv").exit_code, 0);
     const Drawing drawing =
@@ -72,8 +73,8 @@ TEST_F(DescribeCommand, WritesWhatTheLibraryDescribes) {
       0);
   const Drawing drawing =
       io::read_drawing(WAVECURVE_SOURCE_DIR "/docs/examples/face-cat.svg").drawing;
-  const Descriptor expected =
-      describe(drawing, find_filter_bank("db4"), {64, 2, SampleMode::samples, Corners::kept});
+  const Descriptor expected = describe(drawing, find_filter_bank("bspline4.4"),
+                                       {64, 2, SampleMode::samples, Corners::kept});
   EXPECT_EQ(io::read_file(folder_ / "f.json"), io::descriptor_json(expected));
 }
 

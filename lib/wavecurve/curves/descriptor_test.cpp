@@ -89,6 +89,24 @@ TEST(Descriptor, OfTheCoarsestScaleLiesNearBy) {
   }
 }
 
+/// Filters that are symmetric about 0 keep the two ways together; others part them.
+TEST(Descriptor, OfAStrokeIsAStrokeAtEveryScale) {
+  const Drawing drawing = two_layers();
+  const DescriptorOptions options{128, 4, SampleMode::samples, Corners::ignored};
+  const auto gap = [&](const char* name, Eigen::Index scale) {
+    const FilterBank<double> bank = find_filter_bank(name);
+    const Descriptor descriptor = describe(drawing, bank, options);
+    const Contour stroke = reconstruct(descriptor.layers[1], bank, options, scale)[0];
+    const Contour back = stroke.bottomRows(127).colwise().reverse();
+    return (stroke.bottomRows(127) - back).rowwise().norm().maxCoeff();
+  };
+  for (Eigen::Index scale : {8, 16, 32, 64, 128}) {
+    EXPECT_LE(gap("bspline4.4", scale), 1e-11) << scale;  // as exact as the arc length
+    EXPECT_LE(gap("cdf9.7", scale), 1e-11) << scale;
+  }
+  EXPECT_GT(gap("db4", 8), 0.01);
+}
+
 /// Of an orthonormal family, the shares are those of the variance, by Parseval's relation.
 TEST(EnergyShares, AreThoseOfTheVariance) {
   const Contour samples = sample_contour(square(5), 64);

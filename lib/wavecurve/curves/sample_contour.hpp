@@ -26,7 +26,8 @@ enum class Corners {
 /// as seen. With Corners::kept and a corner, row 0 is the first corner from the start on.
 ///
 /// An open subpath is run through there and back, so that the points are those of a closed curve:
-/// row 0 is its start, row samples / 2 its end, rows i and samples - i coincide.
+/// row 0 is its start, row samples / 2 its end, rows i and samples - i coincide. They do so at
+/// every scale of a transform with filters that are symmetric about 0 (bspline4.4, cdf9.7, not D8).
 /// Throws std::invalid_argument for an empty subpath, a length that is zero or not finite, a number
 /// as check_samples has it, and more corners than samples. Publication, section 2.2.
 Contour sample_contour(const Subpath& subpath, Eigen::Index samples,

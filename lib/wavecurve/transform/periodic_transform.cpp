@@ -1,97 +1,35 @@
 #include "wavecurve/transform/periodic_transform.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "wavecurve/transform/bands.hpp"
-#include "wavecurve/transform/periodic_kernels.hpp"
-#include "wavecurve/transform/rotation_kernels.hpp"
 
 namespace wavecurve {
 
 namespace {
 
-int floor_half(int n) { return (n - (n & 1)) / 2; }
+/// Groups pay off where starting and wrapping a level counts: they are interleaved and separated.
+constexpr Eigen::Index largest_of_groups = 2048, smallest_group = 3;
+
+/// The next whole cache line: half a vector on the next line costs two loads.
+template <class Scalar>
+Scalar* aligned(Scalar* pointer) {
+  constexpr std::uintptr_t line = sizeof(Scalar) * group_size<Scalar>;
+  const auto address = reinterpret_cast<std::uintptr_t>(pointer);
+  return pointer + (line - address % line) % line / sizeof(Scalar);
+}
 
 template <class Scalar>
-int pair_count(const Filter<Scalar>& filter) {
-  return floor_half(filter.last_index()) - floor_half(filter.first_index) + 1;
+void copy_strided(const Scalar* from, Eigen::Index from_stride, Scalar* to, Eigen::Index to_stride,
+                  Eigen::Index count) {
+  for (Eigen::Index n = 0; n < count; ++n) to[n * to_stride] = from[n * from_stride];
 }
 
 }  // namespace
-
-template <class Scalar>
-FilterPair<Scalar>::FilterPair(const Filter<Scalar>& low, const Filter<Scalar>& high)
-    : pairs_(std::max(pair_count(low), pair_count(high))),
-      low_(polyphase(low, pairs_)),
-      high_(polyphase(high, pairs_)),
-      rotations_(rotation_cascade(low, high)) {}
-
-template <class Scalar>
-typename FilterPair<Scalar>::Polyphase FilterPair<Scalar>::polyphase(const Filter<Scalar>& filter,
-                                                                     int pairs) {
-  Polyphase result;
-  const int first = floor_half(filter.first_index);
-  result.first = first;
-  for (int t = first; t < first + pairs; ++t) {
-    result.even.push_back(filter[2 * t]);
-    result.odd.push_back(filter[2 * t + 1]);
-  }
-  result.reversed_even.assign(result.even.rbegin(), result.even.rend());
-  result.reversed_odd.assign(result.odd.rbegin(), result.odd.rend());
-  return result;
-}
-
-template <class Scalar>
-Eigen::Index FilterPair<Scalar>::buffer_size() const {
-  return 4 * (block_size + pairs_ + std::abs(low_.first - high_.first));
-}
-
-template <class Scalar>
-void FilterPair<Scalar>::analyse(const Scalar* fine, Eigen::Index half, Scalar* c, Scalar* d,
-                                 Scalar* buffer) const {
-  if (rotations_) return rotate_forward(*rotations_, fine, half, c, d);
-  const Eigen::Index first = std::min(low_.first, high_.first);
-  const Eigen::Index overlap = pairs_ - 1 + std::abs(low_.first - high_.first);
-  Scalar* even = buffer;
-  Scalar* odd = buffer + buffer_size() / 2;
-  const auto filter = [&](const Polyphase& taps, Eigen::Index count, Scalar* out) {
-    const Eigen::Index shift = taps.first - first;
-    correlate_pair(taps.even.data(), taps.odd.data(), pairs_, even + shift, odd + shift, count,
-                   out);
-  };
-  for (Eigen::Index n = 0; n < half; n += block_size) {
-    const Eigen::Index count = std::min(block_size, half - n);
-    split_pairs(fine, half, n + first, count + overlap, even, odd);
-    filter(low_, count, c + n);
-    filter(high_, count, d + n);
-  }
-}
-
-template <class Scalar>
-void FilterPair<Scalar>::synthesise(const Scalar* c, const Scalar* d, Eigen::Index half,
-                                    Scalar* fine, Scalar* buffer) const {
-  if (rotations_) return rotate_backward(*rotations_, c, d, half, fine);
-  const Eigen::Index quarter = buffer_size() / 4;
-  Scalar* even = buffer + 2 * quarter;
-  Scalar* odd = buffer + 3 * quarter;
-  // fine_{2n+r} takes c_{n-t} with the tap 2t + r: reversed taps on a window that starts earlier.
-  const auto window = [&](const Scalar* band, const Polyphase& taps, Eigen::Index n,
-                          Eigen::Index count, Scalar* copy) {
-    return periodic_window(band, half, n - taps.first - (pairs_ - 1), count + pairs_ - 1, copy);
-  };
-  for (Eigen::Index n = 0; n < half; n += block_size) {
-    const Eigen::Index count = std::min(block_size, half - n);
-    const Scalar* u = window(c, low_, n, count, buffer);
-    const Scalar* v = window(d, high_, n, count, buffer + quarter);
-    correlate_pair(low_.reversed_even.data(), high_.reversed_even.data(), pairs_, u, v, count,
-                   even);
-    correlate_pair(low_.reversed_odd.data(), high_.reversed_odd.data(), pairs_, u, v, count, odd);
-    merge_pairs(even, odd, count, fine + 2 * n);
-  }
-}
 
 template <class Scalar>
 PeriodicTransform<Scalar>::PeriodicTransform(const FilterBank<Scalar>& bank, Eigen::Index samples,
@@ -104,78 +42,154 @@ PeriodicTransform<Scalar>::PeriodicTransform(const FilterBank<Scalar>& bank, Eig
 }
 
 template <class Scalar>
-Eigen::Index PeriodicTransform<Scalar>::workspace_size() const {
-  return samples_ + std::max(analysis_.buffer_size(), synthesis_.buffer_size());
+Layout PeriodicTransform<Scalar>::layout_of(Eigen::Index columns) const {
+  return columns >= smallest_group && samples_ <= largest_of_groups ? Layout::interleaved
+                                                                    : Layout::single;
+}
+
+template <class Scalar>
+Eigen::Index PeriodicTransform<Scalar>::workspace_size(Eigen::Index columns) const {
+  const Layout layout = layout_of(columns);
+  const Eigen::Index buffer =
+      std::max(analysis_.buffer_size(layout), synthesis_.buffer_size(layout));
+  // The column or group, two halves of it between the levels, and room for the alignment.
+  return 2 * samples_ * row_size<Scalar>(layout) + buffer + group_size<Scalar>;
 }
 
 template <class Scalar>
 void PeriodicTransform<Scalar>::check_sizes(In input, const Out& output,
-                                            const Out& workspace) const {
-  if (input.size() != samples_ || output.size() != samples_) {
-    throw std::invalid_argument(fmt::format("a transform of {} samples was given {} in and {} out",
-                                            samples_, input.size(), output.size()));
+                                            const Workspace& workspace) const {
+  if (input.rows() != samples_ || output.rows() != samples_ || input.cols() != output.cols()) {
+    throw std::invalid_argument(
+        fmt::format("a transform of {} samples was given {} x {} in and {} x {} out", samples_,
+                    input.rows(), input.cols(), output.rows(), output.cols()));
   }
-  if (workspace.size() < workspace_size()) {
+  if (workspace.size() < workspace_size(input.cols())) {
     throw std::invalid_argument(fmt::format("the workspace holds {} values, but {} are needed",
-                                            workspace.size(), workspace_size()));
+                                            workspace.size(), workspace_size(input.cols())));
   }
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::analyse(const FilterPair<Scalar>& filters, In input, Out output,
-                                        Out workspace) const {
-  check_sizes(input, output, workspace);
-  if (levels_ == 0) output = input;
-  // The scaling coefficients alternate between the two halves of the workspace.
-  Scalar* const buffer = workspace.data() + samples_;
-  const Scalar* fine = input.data();
-  for (int level = 1; level <= levels_; ++level) {
-    const Eigen::Index half = samples_ >> level;
-    Scalar* const alternate = workspace.data() + (level % 2) * (samples_ / 2);
-    Scalar* const c = level == levels_ ? output.data() : alternate;
-    filters.analyse(fine, half, c, output.data() + half, buffer);
+void PeriodicTransform<Scalar>::analyse(const Filters& filters, const Scalar* input, Scalar* output,
+                                        Scalar* workspace, Layout layout) const {
+  const Eigen::Index size = samples_ * row_size<Scalar>(layout);
+  if (levels_ == 0 && output != input) std::copy_n(input, size, output);
+  Scalar* const halves[2] = {workspace, workspace + size / 2};
+  Scalar* const buffer = workspace + size;
+  // The scaling coefficients alternate between the two halves. The first level, in place, would
+  // overwrite what it has still to read.
+  const Scalar* fine = input;
+  for (int level = 0, pass = 0; level < levels_; ++pass) {
+    const bool aside = fine == output;
+    const Eigen::Index samples = samples_ >> level;
+    const int at_once = aside ? 1 : filters.levels_at_once(samples, layout);
+    const bool fused = at_once > 1 && level + at_once <= levels_;
+    level += fused ? at_once : 1;
+    const Eigen::Index half = size >> level;
+    Scalar* const c = level == levels_ && !aside ? output : halves[1 - pass % 2];
+    Scalar* const d = aside ? halves[0] : output + half;
+    if (fused) {
+      filters.analyse_levels(fine, samples, c, output, buffer);
+    } else {
+      filters.analyse(fine, samples / 2, c, d, buffer, layout);
+    }
+    if (aside) std::copy_n(d, half, output + half);
+    if (aside && level == levels_) std::copy_n(c, half, output);
     fine = c;
   }
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::synthesise(const FilterPair<Scalar>& filters, In input, Out output,
-                                           Out workspace) const {
-  check_sizes(input, output, workspace);
-  if (levels_ == 0) output = input;
-  Scalar* const buffer = workspace.data() + samples_;
-  const Scalar* c = input.data();
-  for (int level = levels_; level >= 1; --level) {
-    const Eigen::Index half = samples_ >> level;
-    Scalar* const alternate = workspace.data() + (level % 2) * (samples_ / 2);
-    Scalar* const fine = level == 1 ? output.data() : alternate;
-    filters.synthesise(c, input.data() + half, half, fine, buffer);
+void PeriodicTransform<Scalar>::synthesise(const Filters& filters, const Scalar* input,
+                                           Scalar* output, Scalar* workspace, Layout layout) const {
+  const Eigen::Index size = samples_ * row_size<Scalar>(layout);
+  if (levels_ == 0 && output != input) std::copy_n(input, size, output);
+  Scalar* const halves[2] = {workspace, workspace + size / 2};
+  Scalar* const buffer = workspace + size;
+  // In place, the last level would overwrite what it has still to read.
+  const int aside = output == input ? 1 : 0;
+  const Scalar* c = input;
+  for (int level = levels_, pass = 0; level > 0; ++pass) {
+    // Fused are the finest levels, where memory counts: whole groups of them from the last on.
+    int at_once = filters.levels_at_once(samples_ >> aside, layout);
+    const bool fused = at_once > 1 && level > aside && (level - aside) % at_once == 0 &&
+                       filters.levels_at_once(samples_ >> (level - at_once), layout) > 1;
+    if (!fused) at_once = 1;
+    const Eigen::Index half = size >> level;
+    level -= at_once;
+    const Scalar* d = input + half;
+    Scalar* const fine = level == 0 ? output : halves[pass % 2];
+    if (fine == input) {
+      Scalar* const free = halves[pass % 2];
+      d = std::copy_n(d, half, free) - half;
+      if (c == input) c = std::copy_n(c, half, halves[1 - pass % 2]) - half;
+    }
+    if (fused) {
+      filters.synthesise_levels(c, input, samples_ >> level, fine, buffer);
+    } else {
+      filters.synthesise(c, d, samples_ >> (level + 1), fine, buffer, layout);
+    }
     c = fine;
   }
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::forward(In samples, Out coefficients, Out workspace) const {
-  analyse(analysis_, samples, coefficients, workspace);
+template <class Pass>
+void PeriodicTransform<Scalar>::transform(In input, Out& output, Workspace& workspace,
+                                          Pass pass) const {
+  check_sizes(input, output, workspace);
+  Scalar* const stage = aligned(workspace.data());
+  const Eigen::Index in_inner = input.innerStride(), out_inner = output.innerStride();
+  for (Eigen::Index first = 0, count; first < input.cols(); first += count) {
+    const Layout layout = layout_of(input.cols() - first);
+    Scalar* const rest = stage + samples_ * row_size<Scalar>(layout);
+    const Scalar* in = input.data() + first * input.outerStride();
+    Scalar* const out = output.data() + first * output.outerStride();
+    if (layout == Layout::interleaved) {
+      count = std::min(group_size<Scalar>, input.cols() - first);
+      interleave(in, in_inner, input.outerStride(), count, samples_, stage);
+      pass(stage, stage, rest, layout);
+      separate(stage, samples_, out, out_inner, output.outerStride(), count);
+      continue;
+    }
+    count = 1;
+    Scalar* const to = out_inner == 1 ? out : stage;
+    if (in_inner != 1) {
+      copy_strided(in, in_inner, to, 1, samples_);
+      in = to;
+    }
+    pass(in, to, rest, layout);
+    if (to != out) copy_strided(to, 1, out, out_inner, samples_);
+  }
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::inverse(In coefficients, Out samples, Out workspace) const {
-  synthesise(synthesis_, coefficients, samples, workspace);
+void PeriodicTransform<Scalar>::forward(In samples, Out coefficients, Workspace workspace) const {
+  transform(samples, coefficients, workspace,
+            [this](auto... arguments) { analyse(analysis_, arguments...); });
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::forward_adjoint(In coefficients, Out samples, Out workspace) const {
-  synthesise(analysis_, coefficients, samples, workspace);
+void PeriodicTransform<Scalar>::inverse(In coefficients, Out samples, Workspace workspace) const {
+  transform(coefficients, samples, workspace,
+            [this](auto... arguments) { synthesise(synthesis_, arguments...); });
 }
 
 template <class Scalar>
-void PeriodicTransform<Scalar>::inverse_adjoint(In samples, Out coefficients, Out workspace) const {
-  analyse(synthesis_, samples, coefficients, workspace);
+void PeriodicTransform<Scalar>::forward_adjoint(In coefficients, Out samples,
+                                                Workspace workspace) const {
+  transform(coefficients, samples, workspace,
+            [this](auto... arguments) { synthesise(analysis_, arguments...); });
 }
 
-template class FilterPair<double>;
-template class FilterPair<float>;
+template <class Scalar>
+void PeriodicTransform<Scalar>::inverse_adjoint(In samples, Out coefficients,
+                                                Workspace workspace) const {
+  transform(samples, coefficients, workspace,
+            [this](auto... arguments) { analyse(synthesis_, arguments...); });
+}
+
 template class PeriodicTransform<double>;
 template class PeriodicTransform<float>;
 

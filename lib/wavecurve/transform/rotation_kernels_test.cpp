@@ -19,19 +19,25 @@ const char* const families[] = {"haar",  "db2",   "db4",   "db5",   "db10",     
 template <class Scalar>
 using Vector = Eigen::Vector<Scalar, Eigen::Dynamic>;
 
-/// Forward and inverse of every length and all its levels, one behind the other.
+/// Forward and inverse of every length and all its levels, of one signal and of a group of them,
+/// one behind the other.
 template <class Scalar>
 std::vector<Scalar> transforms(const FilterBank<Scalar>& bank) {
   std::vector<Scalar> results;
   for (int samples : {1, 2, 6, 8, 20, 64, 72, 202, 512}) {
     for (int levels = 0; samples % (1 << levels) == 0; ++levels) {
       const PeriodicTransform<Scalar> transform(bank, samples, levels);
-      Vector<Scalar> x(samples), y(samples), workspace(transform.workspace_size());
-      for (int i = 0; i < samples; ++i) x[i] = static_cast<Scalar>((i * 37 + 11) % 64 - 31) / 8;
-      transform.forward(x, y, workspace);
-      results.insert(results.end(), y.begin(), y.end());
-      transform.inverse(y, x, workspace);
-      results.insert(results.end(), x.begin(), x.end());
+      for (int columns : {1, 5}) {
+        Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> x(samples, columns);
+        Vector<Scalar> workspace(transform.workspace_size(columns));
+        for (int i = 0; i < x.size(); ++i) {
+          x.data()[i] = static_cast<Scalar>((i * 37 + 11) % 64 - 31) / 8;
+        }
+        transform.forward(x, x, workspace);
+        results.insert(results.end(), x.data(), x.data() + x.size());
+        transform.inverse(x, x, workspace);
+        results.insert(results.end(), x.data(), x.data() + x.size());
+      }
     }
   }
   return results;

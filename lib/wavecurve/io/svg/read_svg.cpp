@@ -206,10 +206,29 @@ class SvgReader {
         box = parse_view_box(text);
       }
     });
-    scene.transform = scene.transform *
-                      view_box_transform(box, shown_at, element.attribute("preserveAspectRatio"));
+    const Eigen::Affine2d outside = scene.transform;
+    scene.transform =
+        outside * view_box_transform(box, shown_at, element.attribute("preserveAspectRatio"));
     scene.viewport = {box.width, box.height};
+    const std::size_t first = file_.drawing.layers.size();
     draw_children(element, scene);
+    warn_of_clipping(first, outside, shown_at);
+  }
+
+  /// Of the layers from `first` on, where they leave the box that a viewport shows.
+  void warn_of_clipping(std::size_t first, const Eigen::Affine2d& transform, const ViewBox& box) {
+    const Eigen::Vector2d corner(box.x, box.y), size(box.width, box.height);
+    const Eigen::Vector2d margin = 1e-9 * size;
+    const Eigen::AlignedBox2d shown_box(corner - margin, corner + size + margin);
+    const Eigen::Affine2d back = transform.inverse();
+    for (std::size_t i = first; i < file_.drawing.layers.size(); ++i) {
+      for (const Subpath& subpath : file_.drawing.layers[i].subpaths) {
+        for (const BezierSegment& segment : subpath.segments) {
+          if (shown_box.contains(back * Eigen::Vector2d(segment.control.col(0)))) continue;
+          return warnings_.add("what leaves a nested svg or symbol is not clipped");
+        }
+      }
+    }
   }
 
   void draw_shape(const XmlElement& shape, const Scene& scene) {

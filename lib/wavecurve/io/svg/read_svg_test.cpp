@@ -57,6 +57,16 @@ TEST(ReadSvg, NestedSvgFitsItsViewBox) {
   box("preserveAspectRatio='none'", 10, 20, 50, 40);
 }
 
+TEST(ReadSvg, WhatANestedSvgWouldClipIsNamed) {
+  const auto warnings = [](const std::string& attributes) {
+    return read("<svg x='10' y='20' width='40' height='20' viewBox='0 0 10 10' " + attributes +
+                "><rect width='10' height='10'/></svg>")
+        .warnings.size();
+  };
+  EXPECT_EQ(warnings(""), 0U);
+  EXPECT_EQ(warnings("preserveAspectRatio='xMidYMid slice'"), 1U);
+}
+
 TEST(ReadSvg, PercentagesReferToTheNearestViewBox) {
   const auto layer = test::only_layer(
       "<svg x='10%' width='50%' height='50%' viewBox='0 0 4 4'>"

@@ -34,6 +34,7 @@ TEST(Colour, EveryNotation) {
   EXPECT_EQ(fill("fill='rgb(255 0 0)'"), red);
   EXPECT_EQ(fill("fill='hsl(120, 100%, 50%)'"), lime);
   EXPECT_EQ(fill("fill='rebeccapurple'"), black) << "not in the list of SVG 1.1";
+  EXPECT_EQ(fill("fill='white\xc3\xa4'"), black) << "no name has an umlaut";
   EXPECT_EQ(fill("fill='cornflowerblue'"), (Colour{100 / 255.0, 149 / 255.0, 237 / 255.0}));
   EXPECT_EQ(fill("fill='#1a2B3c'"), (Colour{26 / 255.0, 43 / 255.0, 60 / 255.0}));
 }

@@ -197,6 +197,9 @@ Eigen::Affine2d parse_transform(std::string_view text) {
 }
 
 std::optional<Colour> parse_colour(std::string_view text) {
+  // The parser of names knows ASCII only, and asserts it.
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 128; };
+  if (!std::all_of(text.begin(), text.end(), is_ascii)) return std::nullopt;
   const char* position = text.data();
   const char* const end = text.data() + text.size();
   int rgb = 0;

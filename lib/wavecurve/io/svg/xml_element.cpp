@@ -15,8 +15,8 @@ namespace {
 struct TreeBuilder {
   xmlParserCtxtPtr parser = nullptr;
   std::unique_ptr<XmlElement> root;
-  XmlElement* current = nullptr;
-  int depth = 0, elements = 0;
+  std::vector<XmlElement*> open;  // the elements that have not ended, each in the one before
+  int elements = 0;
   std::string defect;
 
   void refuse(const std::string& what) {
@@ -52,7 +52,7 @@ void start_element(void* context, const xmlChar* name, const xmlChar*, const xml
                    const xmlChar**, int attribute_count, int, const xmlChar** attributes) {
   auto& tree = *static_cast<TreeBuilder*>(context);
   if (!tree.defect.empty()) return;
-  if (++tree.depth > deepest_nesting) {
+  if (tree.open.size() == deepest_nesting) {
     return tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
   }
   if (++tree.elements > most_elements) {
@@ -61,25 +61,23 @@ void start_element(void* context, const xmlChar* name, const xmlChar*, const xml
   auto element = std::make_unique<XmlElement>();
   if (is_svg(uri)) element->name = text_of(name);
   element->line = tree.line();
-  element->parent = tree.current;
+  if (!tree.open.empty()) element->parent = tree.open.back();
   add_attributes(*element, attribute_count, attributes);
   XmlElement* const added = element.get();
-  (tree.current ? tree.current->children.emplace_back() : tree.root) = std::move(element);
-  tree.current = added;
+  (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) = std::move(element);
+  tree.open.push_back(added);
 }
 
 void end_element(void* context, const xmlChar*, const xmlChar*, const xmlChar*) {
   auto& tree = *static_cast<TreeBuilder*>(context);
-  if (!tree.defect.empty()) return;
-  --tree.depth;
-  tree.current = const_cast<XmlElement*>(tree.current->parent);
+  if (tree.defect.empty()) tree.open.pop_back();
 }
 
 void add_text(void* context, const xmlChar* text, int length) {
   auto& tree = *static_cast<TreeBuilder*>(context);
-  if (tree.current) {
-    tree.current->text.append(reinterpret_cast<const char*>(text),
-                              static_cast<std::size_t>(length));
+  if (!tree.open.empty()) {
+    tree.open.back()->text.append(reinterpret_cast<const char*>(text),
+                                  static_cast<std::size_t>(length));
   }
 }
 
