@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "wavecurve/curves/drawing.hpp"
 
@@ -14,6 +15,8 @@ struct OutputOptions {
   double tolerance = 0;
   /// Of written coordinates, as a share of the longer side of the view box.
   double accuracy = 1e-4;
+  /// Of a page.
+  std::string title = "wavecurve";
   /// Plays for ever, not once; there_and_back makes an animation that does so without a jump.
   bool loop = false;
   /// Of the longer side of a rendered frame.
