@@ -25,7 +25,8 @@ OutputOptions titled(const std::filesystem::path& path, const OutputOptions& opt
 
 void write_animation(const std::filesystem::path& path, const Animation& animation,
                      const OutputOptions& options) {
-  const std::string ending = path.extension().string();
+  // A folder may be named with a slash at its end.
+  const std::string ending = (path.has_filename() ? path : path.parent_path()).extension().string();
   if (ending == ".svg") return write_file(path, animated_svg(animation, options));
   if (ending == ".json") return write_file(path, lottie(animation, options));
   if (ending == ".html") {
