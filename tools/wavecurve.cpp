@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_coefficients_command(app, exit_code);
   add_check_command(app, exit_code);
   add_stiffness_command(app, exit_code);
+  add_morph_command(app, exit_code);
   add_describe_command(app, exit_code);
   add_reconstruct_command(app, exit_code);
   add_verify_command(app, exit_code);

@@ -10,7 +10,8 @@ install(TARGETS wavecurve_io EXPORT wavecurve-io-targets)
 foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets wavecurve-io-targets)
   install(EXPORT ${set} NAMESPACE wavecurve:: DESTINATION ${package_dir})
 endforeach()
-install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
+        PATTERN "*_test.hpp" EXCLUDE)
 
 configure_package_config_file(cmake/wavecurve-config.cmake.in wavecurve-config.cmake
                               INSTALL_DESTINATION ${package_dir})

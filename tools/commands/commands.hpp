@@ -19,6 +19,7 @@ void add_filter_command(CLI::App& app, ExitCode& exit_code);
 void add_coefficients_command(CLI::App& app, ExitCode& exit_code);
 void add_check_command(CLI::App& app, ExitCode& exit_code);
 void add_stiffness_command(CLI::App& app, ExitCode& exit_code);
+void add_morph_command(CLI::App& app, ExitCode& exit_code);
 void add_describe_command(CLI::App& app, ExitCode& exit_code);
 void add_reconstruct_command(CLI::App& app, ExitCode& exit_code);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);

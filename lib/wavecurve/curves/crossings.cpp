@@ -27,6 +27,10 @@ bool cross(const Edge& a, const Edge& b) {
          orient2d(b.from, b.to, a.from) * orient2d(b.from, b.to, a.to) < 0;
 }
 
+Index edges_of(In contour, Closing closing) {
+  return closing == Closing::joined ? contour.rows() : std::max<Index>(contour.rows() - 1, 0);
+}
+
 struct Box {
   Vector2d low, high;
 };
@@ -45,12 +49,13 @@ class BoxTree {
     std::size_t level, place;
   };
 
-  explicit BoxTree(In contour) : contour_(contour) {
+  explicit BoxTree(In contour, Closing closing = Closing::joined) : contour_(contour) {
     if (!contour.allFinite()) {
       throw std::domain_error("a contour whose crossings are counted must have finite coordinates");
     }
     std::vector<Box> boxes;
-    for (Index i = 0; i < contour.rows(); ++i) {
+    const Index edges = edges_of(contour, closing);
+    for (Index i = 0; i < edges; ++i) {
       const Edge e = edge(contour, i);
       boxes.push_back({e.from.cwiseMin(e.to), e.from.cwiseMax(e.to)});
     }
@@ -103,8 +108,8 @@ Index crossings_within(const BoxTree& tree, Node node) {
 
 }  // namespace
 
-Index count_crossings(In contour) {
-  const BoxTree tree(contour);
+Index count_crossings(In contour, Closing closing) {
+  const BoxTree tree(contour, closing);
   return tree.is_empty() ? 0 : crossings_within(tree, tree.root());
 }
 
@@ -127,9 +132,9 @@ Index count_crossings(const std::vector<Contour>& outline) {
 
 namespace wavecurve::plain {
 
-Eigen::Index count_crossings(In contour) {
+Eigen::Index count_crossings(In contour, Closing closing) {
   Index count = 0;
-  for (Index i = 0; i < contour.rows(); ++i) {
+  for (Index i = 0; i < edges_of(contour, closing); ++i) {
     for (Index j = 0; j < i; ++j) count += cross(edge(contour, i), edge(contour, j));
   }
   return count;

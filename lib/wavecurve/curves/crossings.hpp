@@ -8,7 +8,10 @@
 
 namespace wavecurve {
 
-/// The number of proper crossings of a closed polygon with itself: pairs of edges that have exactly
+/// Whether an edge joins the last point of a polygon to the first.
+enum class Closing { joined, open };
+
+/// The number of proper crossings of a polygon with itself: pairs of edges that have exactly
 /// one point in common, inside both. Edges that merely touch, share an end or overlap along a line
 /// do not cross. Never wrong, since the predicate is exact (orient2d).
 ///
@@ -17,7 +20,8 @@ namespace wavecurve {
 /// shape, as in contours sampled by arc length: besides its neighbours an edge then meets only the
 /// edges of parts that cross it or come as near as its own length.
 /// Throws std::domain_error unless all coordinates are finite.
-Eigen::Index count_crossings(const Eigen::Ref<const Contour>& contour);
+Eigen::Index count_crossings(const Eigen::Ref<const Contour>& contour,
+                             Closing closing = Closing::joined);
 
 /// The number of proper crossings between two closed polygons; the same in every other respect.
 Eigen::Index count_crossings(const Eigen::Ref<const Contour>& a,
@@ -31,7 +35,8 @@ Eigen::Index count_crossings(const std::vector<Contour>& outline);
 namespace wavecurve::plain {
 
 /// The same by the definition: every pair of edges. O(N^2).
-Eigen::Index count_crossings(const Eigen::Ref<const Contour>& contour);
+Eigen::Index count_crossings(const Eigen::Ref<const Contour>& contour,
+                             Closing closing = Closing::joined);
 Eigen::Index count_crossings(const Eigen::Ref<const Contour>& a,
                              const Eigen::Ref<const Contour>& b);
 

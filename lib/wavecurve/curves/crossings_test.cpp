@@ -44,6 +44,7 @@ TEST(CountCrossings, CountsOnlyProperOnes) {
   EXPECT_EQ(count_crossings(contour({{0, 0}, {1, 1}, {1, -1}, {0, 0}, {-1, 1}, {-1, -1}})), 0);
   EXPECT_EQ(count_crossings(contour({{0, 0}, {4, 0}, {2, 0}, {1, 0}})), 0);
   EXPECT_EQ(count_crossings(contour({{0, 0}, {4, 0}, {0, 3}, {4, 3}})), 1);
+  EXPECT_EQ(count_crossings(contour({{0, 0}, {4, 0}, {0, 3}, {4, 3}}), Closing::open), 0);
 }
 
 TEST(CountCrossings, TakesShortContours) {
@@ -81,6 +82,7 @@ Contour grid_points(int max_size) {
 RC_GTEST_PROP(CountCrossings, EqualsThePlainTwin, ()) {
   const Contour a = grid_points(60), b = grid_points(30);
   RC_ASSERT(count_crossings(a) == plain::count_crossings(a));
+  RC_ASSERT(count_crossings(a, Closing::open) == plain::count_crossings(a, Closing::open));
   RC_ASSERT(count_crossings(a, b) == plain::count_crossings(a, b));
   // Off the grid, degenerate only where a triple of points happened to be.
   const Contour turned = a * Eigen::Rotation2Dd(0.3).toRotationMatrix();

@@ -83,8 +83,18 @@ void append_stroke(std::vector<Contour>& pieces, const Contour& polygon, double 
     Contour quad(4, 2);
     quad << here + offset, after + offset, after - offset, here - offset;
     pieces.push_back(quad);
-    const double turn =
-        std::atan2(last_step.x() * step.y() - last_step.y() * step.x(), last_step.dot(step));
+    const double cross = last_step.x() * step.y() - last_step.y() * step.x();
+    const double turn = std::atan2(cross, last_step.dot(step));
+    const Eigen::RowVector2d last_offset =
+        radius / last_step.norm() * Eigen::RowVector2d(last_step.y(), -last_step.x());
+    Contour wedge(3, 2);  // between the rectangles, on the outer side of the turn
+    if (cross > 0) {
+      wedge << here, here + last_offset, here + offset;
+    } else {
+      wedge << here, here - offset, here - last_offset;
+    }
+    pieces.push_back(wedge);
+    // What a chord leaves of the round join, in pixels.
     if (radius * turn * turn / 8 > 0.02) pieces.push_back(disc(here.x(), here.y(), radius));
   }
 }

@@ -30,7 +30,8 @@ class Coverage {
 };
 
 /// The area within `radius` of closed polygons, as polygons to be filled by the nonzero rule: a
-/// rectangle an edge and a disc where the turn leaves a gap that shows. In pixels.
+/// rectangle an edge, a wedge a vertex, and a disc where the turn is so sharp that it shows. In
+/// pixels.
 std::vector<Contour> stroke_polygons(const std::vector<Contour>& polygons, double radius);
 
 }  // namespace wavecurve::io

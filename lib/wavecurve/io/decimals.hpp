@@ -18,6 +18,7 @@ class Decimals {
   /// 2000.
   static Decimals for_box(const ViewBox& box, double accuracy);
 
+  int places() const { return places_; }
   void append(std::string& text, double value) const;
   std::string text(double value) const;
   /// The value that the text stands for.

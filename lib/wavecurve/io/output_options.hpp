@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "wavecurve/curves/drawing.hpp"
 
@@ -14,7 +15,10 @@ struct OutputOptions {
   double tolerance = 0;
   /// Of written coordinates, as a share of the longer side of the view box.
   double accuracy = 1e-4;
-  /// Plays for ever, not once; there_and_back makes an animation that does so without a jump.
+  /// Of a page; empty: the name of the file.
+  std::string title;
+  /// Plays for ever, not once. There is no jump in an animation that went there_and_back, as a
+  /// morph does for this.
   bool loop = false;
   /// Of the longer side of a rendered frame.
   int pixels = 512;

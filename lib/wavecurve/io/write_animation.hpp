@@ -15,4 +15,8 @@ namespace wavecurve::io {
 void write_animation(const std::filesystem::path& path, const Animation& animation,
                      const OutputOptions& options = {});
 
+/// The same for a morph, whose .html lets the viewer choose the scale.
+void write_animation(const std::filesystem::path& path, const Morph& morph,
+                     const OutputOptions& options = {});
+
 }  // namespace wavecurve::io

@@ -29,8 +29,8 @@ ContourMorph::ContourMorph(const FilterBank<double>& bank, Index samples, int le
   for (int l = 0; l <= levels; ++l) {
     if (scale == samples >> l) return;
   }
-  throw std::invalid_argument(
-      fmt::format("the scale is {}, but must be {} / 2^l, l = 0 .. {}", scale, samples, levels));
+  throw std::invalid_argument(fmt::format(
+      "the scale is {}, but must be one of {} / 2^l, l = 0 .. {}", scale, samples, levels));
 }
 
 void ContourMorph::frame(const ContourPair& pair, double tau, DetailShares shares,

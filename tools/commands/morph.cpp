@@ -1,0 +1,239 @@
+#include <charconv>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "wavecurve/io/animation_sheet.hpp"
+#include "wavecurve/io/load_filter.hpp"
+#include "wavecurve/io/read_drawing.hpp"
+#include "wavecurve/io/write_animation.hpp"
+#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/motion/avoid_crossings.hpp"
+#include "wavecurve/motion/ease.hpp"
+#include "wavecurve/motion/make_morph.hpp"
+#include "wavecurve/motion/there_and_back.hpp"
+
+#include "commands.hpp"
+#include "crossings_table.hpp"
+#include "progress.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+enum class Crossings { ignored, report, avoid };
+
+const std::map<std::string, Detail> details{
+    {"drop", Detail::drop}, {"blend", Detail::blend}, {"stage", Detail::stage}};
+const std::map<std::string, Ease> eases{
+    {"linear", Ease::linear}, {"in", Ease::in}, {"out", Ease::out}, {"in-out", Ease::in_out}};
+const std::map<std::string, Crossings> crossings_modes{{"report", Crossings::report},
+                                                       {"avoid", Crossings::avoid}};
+
+struct Options {
+  std::string source, destination, output, filter = "bspline4.4", scale = "full";
+  std::vector<std::string> map, starts;
+  MorphOptions morph;
+  Ease ease = Ease::linear;
+  Crossings crossings = Crossings::ignored;
+  std::optional<Detail> detail;
+  std::optional<int> frames;
+  double tolerance = 0;
+  bool loop = false, sheet = false, rotation = false;
+};
+
+std::optional<Eigen::Index> parsed_number(std::string_view text) {
+  Eigen::Index number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The two sides of the last =, since an id may hold one too.
+std::pair<std::string, std::string> parsed_pair(const std::string& text, const char* option,
+                                                const char* form) {
+  const auto equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw std::invalid_argument(fmt::format("{} takes {}, not '{}'", option, form, text));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+MorphOptions morph_options(const Options& options) {
+  MorphOptions morph = options.morph;
+  morph.bank = io::load_filter_bank(options.filter);
+  if (options.scale != "full") {
+    morph.scale = parsed_number(options.scale);
+    if (!morph.scale) {
+      throw std::invalid_argument(
+          fmt::format("--scale takes a number of control points or full, not '{}'", options.scale));
+    }
+  }
+  for (const std::string& text : options.map) {
+    morph.map.push_back(parsed_pair(text, "--map", "two layers a=b"));
+  }
+  for (const std::string& text : options.starts) {
+    const auto [layer, start] = parsed_pair(text, "--start", "a layer and a point, layer=17");
+    const auto number = parsed_number(start);
+    if (!number) {
+      throw std::invalid_argument(fmt::format("--start takes a point's number, not '{}'", start));
+    }
+    morph.starts.emplace_back(layer, *number);
+  }
+  if (options.rotation) morph.rotation = Rotation::taken_out;
+  // With all details blended there would be no scale to choose.
+  const bool avoid = options.crossings == Crossings::avoid;
+  morph.detail = options.detail.value_or(avoid ? Detail::stage : Detail::blend);
+  return morph;
+}
+
+Drawing read(const std::string& path) {
+  io::DrawingFile file = io::read_drawing(path);
+  for (const std::string& warning : file.warnings) {
+    fmt::print(stderr, "wavecurve: {}: {}\n", path, warning);
+  }
+  return std::move(file.drawing);
+}
+
+/// The normalised times of the frames but the first and the last.
+std::vector<double> inner_times(int frames, Ease ease) {
+  std::vector<double> taus;
+  for (int i = 1; i + 1 < frames; ++i) {
+    taus.push_back(eased(ease, static_cast<double>(i) / (frames - 1)));
+  }
+  return taus;
+}
+
+ChosenMorph without_crossings(const Drawing& source, const Drawing& destination,
+                              MorphOptions options, const std::vector<double>& taus) {
+  std::vector<Morph> alternatives{make_morph(source, destination, options)};
+  if (options.rotation == Rotation::kept) {
+    options.rotation = Rotation::taken_out;
+    alternatives.push_back(make_morph(source, destination, options));
+  }
+  Progress progress("crossings");
+  return avoid_crossings(alternatives, taus,
+                         [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+}
+
+void write(const Options& options, int frames, const Morph& morph) {
+  Progress progress("frames");
+  io::OutputOptions output;
+  output.frames = frames;
+  output.tolerance = options.tolerance;
+  output.loop = options.loop;
+  output.progress = [&](int done, int all) {
+    progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
+  };
+  // Only a morph in even time can be rescaled by the viewer of a page.
+  if (options.ease == Ease::linear && !options.sheet) {
+    return io::write_animation(options.output, morph, output);
+  }
+  const Animation animation = eased(animate(morph), options.ease, frames);
+  if (options.sheet) {
+    return io::write_file(options.output, io::animation_sheet(animation, output));
+  }
+  if (!options.loop) return io::write_animation(options.output, animation, output);
+  output.frames = 2 * frames - 1;  // at the same rate
+  io::write_animation(options.output, there_and_back(animation), output);
+}
+
+void check(const Options& options, int frames) {
+  if (frames < 2) {
+    throw std::invalid_argument(fmt::format("--frames is {}, but must be at least 2", frames));
+  }
+  if (!(options.morph.duration > 0 && options.morph.duration <= 86400)) {
+    throw std::invalid_argument(
+        fmt::format("--duration is {} seconds, but must be more than 0 and at most 86400",
+                    options.morph.duration));
+  }
+  if (options.sheet && !options.output.ends_with(".svg")) {
+    throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
+  }
+}
+
+void run(const Options& options) {
+  const int frames = options.frames.value_or(options.sheet ? 12 : 60);
+  check(options, frames);
+  const MorphOptions how = morph_options(options);
+  const Drawing source = read(options.source), destination = read(options.destination);
+  const std::vector<double> taus = inner_times(frames, options.ease);
+  Morph morph;
+  std::string text;
+  if (options.crossings == Crossings::avoid) {
+    ChosenMorph chosen = without_crossings(source, destination, how, taus);
+    text = choices_table(chosen);
+    morph = std::move(chosen.morph);
+  } else {
+    morph = make_morph(source, destination, how);
+    if (options.crossings == Crossings::report) text = crossings_table(morph, taus);
+  }
+  write(options, frames, morph);
+  fmt::print("{}", text);
+}
+
+/// An option whose values have names; Target is Value, or std::optional of it.
+template <class Target, class Value>
+void add_choice(CLI::App* command, const std::string& name, Target& target,
+                const std::map<std::string, Value>& choices, const std::string& text) {
+  std::vector<std::string> names;
+  for (const auto& [choice, value] : choices) names.push_back(choice);
+  command
+      ->add_option_function<std::string>(
+          name, [&](const std::string& choice) { target = choices.at(choice); }, text)
+      ->check(CLI::IsMember(names).description(""));
+}
+
+}  // namespace
+
+void add_morph_command(CLI::App& app, ExitCode&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "morph", "One drawing into another, layer by layer, as an animation or a sheet of frames");
+  command->add_option("SOURCE", options->source, "The first drawing, .svg or .csv")->required();
+  command->add_option("DESTINATION", options->destination, "The second drawing")->required();
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
+      ->required();
+  command->add_option("--frames", options->frames, "Number of frames; 60, of a sheet 12");
+  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+      ->capture_default_str();
+  command->add_option("--samples", options->morph.samples, "Points a contour, a power of two")
+      ->capture_default_str();
+  command
+      ->add_option("--scale", options->scale,
+                   "Control points that are interpolated, a power of two from 4 on, or full")
+      ->capture_default_str();
+  add_choice(command, "--detail", options->detail, details,
+             "What is finer than the scale: drop, blend, stage; blend, to avoid crossings stage");
+  add_choice(command, "--ease", options->ease, eases,
+             "How time passes: linear (default), in, out, in-out");
+  command->add_option("--duration", options->morph.duration, "Seconds")->capture_default_str();
+  command->add_flag("--loop", options->loop, "There and back, for ever");
+  command->add_option("--map", options->map, "Layers that become each other, a=b")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--start", options->starts,
+                   "First point of the destination's contours of a layer, layer=17")
+      ->allow_extra_args(false);
+  command->add_flag("--rotation", options->rotation,
+                    "Take a rotation out before points are matched");
+  add_choice(command, "--crossings", options->crossings, crossings_modes,
+             "report them by frame and layer, or avoid them by scales chosen from --scale on");
+  command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace wavecurve::tools

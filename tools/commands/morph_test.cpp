@@ -1,0 +1,100 @@
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/io/write_file.hpp"
+
+#include "program_test.hpp"
+
+namespace wavecurve::tools {
+namespace {
+
+/// Two drawings of two layers, in the folder.
+class MorphCommand : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    io::write_file(folder_ / "a.svg",
+                   R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">
+                      <rect id="face" x="1" y="1" width="8" height="8" fill="#ffcc00"/>
+                      <circle id="eye" cx="4" cy="4" r="1"/></svg>)");
+    io::write_file(folder_ / "b.svg",
+                   R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">
+                      <circle id="face" cx="5" cy="5" r="4" fill="#00ccff"/>
+                      <path id="eye" d="M5 3L7 5H3Z"/></svg>)");
+  }
+
+  bool is_there(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+};
+
+TEST_F(MorphCommand, WritesByEnding) {
+  for (const std::string name : {"out.svg", "out.json", "out.html"}) {
+    const ProgramRun run = wavecurve("morph a.svg b.svg --samples 64 -o " + name);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out + run.err, "");
+    EXPECT_TRUE(is_there(name));
+  }
+  const auto lottie = nlohmann::json::parse(io::read_file(folder_ / "out.json"));
+  EXPECT_EQ(lottie["layers"].size(), 2u);
+  ASSERT_EQ(wavecurve("morph a.svg b.svg --sheet --frames 6 -o sheet.svg").exit_code, 0);
+  EXPECT_NE(io::read_file(folder_ / "sheet.svg").find("6 frames"), std::string::npos);
+}
+
+TEST_F(MorphCommand, RunsAreEqual) {
+  const std::string arguments = "morph a.svg b.svg --crossings avoid --ease in-out --loop -o ";
+  const ProgramRun first = wavecurve(arguments + "1.json"), again = wavecurve(arguments + "2.json");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.out, again.out);
+  EXPECT_EQ(io::read_file(folder_ / "1.json"), io::read_file(folder_ / "2.json"));
+}
+
+TEST_F(MorphCommand, ReportsAndAvoidsCrossings) {
+  const ProgramRun report = wavecurve("morph a.svg b.svg --crossings report -o out.json");
+  ASSERT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_NE(report.out.find("face"), std::string::npos);
+  EXPECT_NE(report.out.find("0 crossings in 58 frames"), std::string::npos) << report.out;
+  const ProgramRun avoid =
+      wavecurve("morph a.svg b.svg --crossings avoid --frames 11 --scale 256 -o out.json");
+  ASSERT_EQ(avoid.exit_code, 0) << avoid.err;
+  EXPECT_NE(avoid.out.find("256          0  as asked"), std::string::npos) << avoid.out;
+}
+
+TEST_F(MorphCommand, TakesAMapAndAStart) {
+  const auto bytes = [&](const std::string& options) {
+    const ProgramRun run = wavecurve("morph a.svg b.svg --samples 64 " + options + " -o out.json");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return io::read_file(folder_ / "out.json");
+  };
+  const std::string plain = bytes("");
+  EXPECT_NE(bytes("--map face=eye --map eye=face"), plain);
+  EXPECT_EQ(bytes("--map face=face"), plain);
+  EXPECT_NE(bytes("--start face=7"), plain);
+  EXPECT_NE(bytes("--detail stage --scale 8"), plain);
+}
+
+TEST_F(MorphCommand, RefusesBadInput) {
+  io::write_file(folder_ / "empty.svg", "");
+  expect_refusal("morph empty.svg b.svg -o out.json", "empty.svg");
+  expect_refusal("morph a.svg b.svg -o out.xyz", "none of .svg");
+  expect_refusal("morph a.svg b.svg -o out.json --filter nope", "unknown filter 'nope'");
+  expect_refusal("morph a.svg b.svg -o out.json --samples 100", "samples is 100");
+  expect_refusal("morph a.svg b.svg -o out.json --samples 2", "samples is 2");
+  expect_refusal("morph a.svg b.svg -o out.json --scale 7", "scale is 7");
+  expect_refusal("morph a.svg b.svg -o out.json --scale fine", "'fine'");
+  expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames is 1");
+  expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration is 0");
+  expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
+  expect_refusal("morph a.svg b.svg -o out.json --map face", "two layers a=b");
+  expect_refusal("morph a.svg b.svg -o out.json --map face=nose", "no layer 'nose'");
+  expect_refusal("morph a.svg b.svg -o out.json --start face=x", "'x'");
+  expect_refusal("morph a.svg b.svg -o out.json --start face=5000", "5000");
+  expect_refusal("morph a.svg b.svg -o out.json --sheet", "a sheet is an .svg");
+  expect_refusal("morph a.svg b.svg", "--output");
+  EXPECT_FALSE(is_there("out.json"));
+  EXPECT_EQ(wavecurve("morph a.svg missing.svg -o out.json").exit_code, 3);
+  EXPECT_EQ(wavecurve("morph a.svg b.svg -o missing/out.json").exit_code, 3);
+}
+
+}  // namespace
+}  // namespace wavecurve::tools

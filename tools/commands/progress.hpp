@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace wavecurve::tools {
+
+/// A bar on the error stream, only if that is a terminal; it is wiped out at the end of its life.
+class Progress {
+ public:
+  explicit Progress(std::string label);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(std::size_t done, std::size_t all);
+
+ private:
+  std::string label_;
+  bool is_terminal_;
+};
+
+}  // namespace wavecurve::tools

@@ -1,0 +1,46 @@
+// The claims about morphing: their verdicts, and that their tables and pictures are whole.
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "claim.hpp"
+
+namespace wavecurve::verification {
+namespace {
+
+Outcome outcome_of(const std::string& id) {
+  for (const Claim& claim : claims()) {
+    if (claim.id == id) return claim.evaluate();
+  }
+  throw std::out_of_range(id);
+}
+
+void expect_full(const Table& table) {
+  EXPECT_FALSE(table.rows.empty()) << table.caption;
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.caption;
+}
+
+TEST(Figure4, ShowsTwelveFramesOfAllLayers) {
+  const Outcome outcome = outcome_of("figure-4");
+  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  const Picture picture = std::get<Picture>(outcome.evidence.at(0));
+  EXPECT_NE(picture.svg.find("12 frames"), std::string::npos);
+  EXPECT_LT(picture.svg.size(), 1000000u);  // a page holds it
+  expect_full(picture.data);
+}
+
+TEST(CrossingsClaim, DoesNotHoldWithoutCondition) {
+  const Outcome outcome = outcome_of("crossings");
+  EXPECT_EQ(outcome.verdict, Verdict::does_not_hold) << outcome.own_value;
+  const Table table = std::get<Table>(outcome.evidence.at(1));
+  expect_full(table);
+  // Faces never cross; the spiral that becomes a star does, but not with four control points.
+  EXPECT_EQ(table.rows.at(0).at(2), "0");
+  EXPECT_NE(table.rows.at(4).at(2), "0");
+  EXPECT_EQ(table.rows.at(4).at(10), "0");
+}
+
+}  // namespace
+}  // namespace wavecurve::verification
