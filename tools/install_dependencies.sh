@@ -2,9 +2,9 @@
 # Installs the Debian packages that are missing. The one list of what the project needs.
 set -euo pipefail
 
-usage='usage: tools/install_dependencies.sh program|tests
+usage='usage: tools/install_dependencies.sh program|tests|browser
 Installs, through apt, the packages that are missing: those that the program is built and run with,
-or also those of the tests and benchmarks. Installs nothing, and asks no server, where all are there.
+or also those of the tests and benchmarks, or also those of the tests in a browser. Installs nothing, and asks no server, where all are there.
 Exit codes: 0 all there, 2 bad usage, 3 something is missing and cannot be installed.'
 
 # A package, and what shows that it is there, however it came: one of the programs, headers or
@@ -36,6 +36,12 @@ librlottie-dev        header:rlottie.h
 ffmpeg                program:ffmpeg
 python3               program:/usr/bin/python3
 python3-pywt          module:pywt
+'
+# Node.js comes with npm inside from some sources, and without it from Debian: the signs decide.
+browser_packages='
+chromium              program:chromium
+nodejs                program:node program:nodejs
+npm                   program:npm
 '
 
 say() { printf '%s\n' "install_dependencies: $*"; }
@@ -90,6 +96,7 @@ list=$program_packages
 case ${1-} in
   program) ;;
   tests) list+=$test_packages ;;
+  browser) list+=$test_packages$browser_packages ;;
   --help | -h)
     printf '%s\n' "$usage"
     exit 0

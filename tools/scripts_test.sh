@@ -57,6 +57,27 @@ fake apt-get 'echo "called again"; exit 1'
 expect 0 'install_dependencies: nothing is missing' \
   on_the_machine "$tools/install_dependencies.sh" program
 
+# A project's copy on a machine that has everything, but whose commands only say that they were called.
+project=$machine/project
+mkdir -p "$project/tools/browser_tests"
+cp "$tools/test.sh" "$tools/install_dependencies.sh" "$project/tools"
+echo 'lock' >"$project/tools/browser_tests/package-lock.json"
+for name in cmp cp mkdir nproc; do ln -s "$(command -v $name)" "$machine/$name"; done
+for name in cmake ctest ffmpeg chromium node; do fake $name "echo \"$name called: \$*\""; done
+fake npm 'echo "npm called: $*"; exit 1'
+expect 3 '--no-browser leaves them out' on_the_machine "$project/tools/test.sh"
+expect 0 'ctest called: --preset release -j '"$(nproc)"' --label-exclude browser' \
+  on_the_machine "$project/tools/test.sh" --no-browser
+fake npm 'echo "npm called: $*"; mkdir node_modules'
+expect 0 'npm called: ci' on_the_machine "$project/tools/test.sh"
+fake npm 'echo "npm called again"; exit 1'
+expect 0 'ctest called: --preset debug' on_the_machine "$project/tools/test.sh" --preset debug
+echo 'another lock' >"$project/tools/browser_tests/package-lock.json"
+expect 3 'npm called again' on_the_machine "$project/tools/test.sh"
+rm "$machine/chromium" "$machine/npm"
+fake apt-get 'echo "apt-get called: $*"; exit 1'
+expect 3 'missing: chromium npm' on_the_machine "$project/tools/test.sh"
+
 expect 2 "--preset 'fast': release, debug, sanitize or coverage is accepted" \
   "$tools/test.sh" --preset fast
 expect 2 'unknown argument --fast' "$tools/test.sh" --fast

@@ -15,8 +15,8 @@ namespace wavecurve {
 namespace {
 
 using Eigen::Index;
-/// One row a point (or vertex), columns x and y of each key in turn.
-using Columns = Eigen::MatrixXd;
+/// One row a point (or vertex), columns x and y of each key in turn; rows are what is worked with.
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A turn this much sharper than those beside it, in any key, is a corner.
 constexpr double corner_turn = std::numbers::pi / 6;
@@ -61,27 +61,35 @@ Columns columns_of(const std::vector<Contour>& keys) {
   return columns;
 }
 
-/// The turn at every point of a contour, 0 .. pi; where an edge has no length, none.
-Eigen::VectorXd turns(const Eigen::Ref<const Eigen::MatrixX2d>& points) {
-  const Index n = points.rows();
-  Eigen::VectorXd result(n);
-  for (Index j = 0; j < n; ++j) {
-    const Eigen::RowVector2d before = points.row(j) - points.row((j + n - 1) % n);
-    const Eigen::RowVector2d after = points.row((j + 1) % n) - points.row(j);
-    const double cross = before.x() * after.y() - before.y() * after.x();
-    result[j] = std::abs(std::atan2(cross, before.dot(after)));
+/// The edges before and after a point, and the angle between them: 0 .. pi; none where one has no
+/// length.
+struct Turn {
+  Turn(const Columns& all, Index key, Index j) {
+    const Index n = all.rows();
+    const auto points = all.middleCols<2>(2 * key);
+    const Eigen::RowVector2d before = points.row(j) - points.row(j == 0 ? n - 1 : j - 1);
+    const Eigen::RowVector2d after = points.row(j + 1 == n ? 0 : j + 1) - points.row(j);
+    sine = before.x() * after.y() - before.y() * after.x();
+    cosine = before.dot(after);
   }
-  return result;
-}
+  double angle() const { return std::abs(std::atan2(sine, cosine)); }
+  /// Spares most points the angle.
+  bool may_be_corner() const {
+    return cosine <= 0 || std::abs(sine) > std::tan(corner_turn) * cosine;
+  }
+  double sine, cosine;  ///< times the lengths of the edges
+};
 
 std::vector<bool> corners(const Columns& points) {
   const Index n = points.rows();
   std::vector<bool> corner(static_cast<std::size_t>(n), false);
   for (Index key = 0; key < points.cols() / 2; ++key) {
-    const Eigen::VectorXd turn = turns(points.middleCols<2>(2 * key));
     for (Index j = 0; j < n; ++j) {
-      const double beside = (turn[(j + n - 1) % n] + turn[(j + 1) % n]) / 2;
-      if (turn[j] - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
+      const Turn turn(points, key, j);
+      if (!turn.may_be_corner()) continue;
+      const double beside =
+          (Turn(points, key, (j + n - 1) % n).angle() + Turn(points, key, (j + 1) % n).angle()) / 2;
+      if (turn.angle() - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
     }
   }
   return corner;
@@ -155,22 +163,23 @@ Columns control_points(const Columns& points, const Knots& knots) {
   return control;
 }
 
-/// The largest distance of a point inside the segment after vertex i from the cubic, over all keys.
-double deviation(const Columns& points, const Knots& knots, const Columns& control, std::size_t i) {
+/// Whether the points inside the segment after vertex i are within the tolerance of the cubic, in
+/// all keys.
+bool fits(const Columns& points, const Knots& knots, const Columns& control, std::size_t i,
+          double tolerance) {
   const Index row = 3 * static_cast<Index>(i), last = 3 * static_cast<Index>(knots.next(i));
   const Index span = knots.span(i);
-  double largest = 0;
+  Eigen::RowVectorXd away(points.cols());
   for (Index j = 1; j < span; ++j) {
     const double s = static_cast<double>(j) / static_cast<double>(span), r = 1 - s;
-    const Eigen::RowVectorXd away =
-        r * r * r * control.row(row) + 3 * r * r * s * control.row(row + 1) +
-        3 * r * s * s * control.row(row + 2) + s * s * s * control.row(last) -
-        points.row((knots.at[i] + j) % knots.points);
+    away = r * r * r * control.row(row) + 3 * r * r * s * control.row(row + 1) +
+           3 * r * s * s * control.row(row + 2) + s * s * s * control.row(last) -
+           points.row((knots.at[i] + j) % knots.points);
     for (Index key = 0; key < points.cols() / 2; ++key) {
-      largest = std::max(largest, std::hypot(away[2 * key], away[2 * key + 1]));
+      if (!(away.segment<2>(2 * key).squaredNorm() <= tolerance * tolerance)) return false;
     }
   }
-  return largest;
+  return true;
 }
 
 /// The knots with every segment halved that misses the tolerance; a segment of one step fits.
@@ -178,7 +187,7 @@ Knots refined(const Columns& points, const Knots& knots, const Columns& control,
   Knots finer{knots.points, {}, knots.corner};
   for (std::size_t i = 0; i < knots.at.size(); ++i) {
     finer.at.push_back(knots.at[i]);
-    if (deviation(points, knots, control, i) <= tolerance) continue;
+    if (fits(points, knots, control, i, tolerance)) continue;
     finer.at.push_back((knots.at[i] + knots.span(i) / 2) % knots.points);
   }
   std::sort(finer.at.begin(), finer.at.end());
