@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,35 @@ Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index sam
     eigenvalues[k] = scale * sum;
   }
   return eigenvalues;
+}
+
+Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples, int d) {
+  const double scale = std::ldexp(1.0, checked_log2(samples) * d);
+  if (d % 2 != 0) {
+    throw std::invalid_argument(fmt::format("d is {}, but eigenvalues need an even order", d));
+  }
+  const double step = std::numbers::pi / static_cast<double>(samples);
+  std::vector<double> weights;  // of sin(l t)^2, l = 1, 2, ...
+  double sum = mu[0];
+  for (int l = 1; l <= mu.last_index(); ++l) {
+    weights.push_back(-4 * scale * mu[l]);
+    sum += 2 * mu[l];
+  }
+  Eigen::VectorXd symbol(samples / 2 + 1);
+  for (Eigen::Index k = 0; k < symbol.size(); ++k) {
+    const double sine = std::sin(step * static_cast<double>(k));
+    const double cosine = std::cos(step * static_cast<double>(k));
+    double value = d == 0 ? sum : 0, s = sine, c = cosine;
+    for (const double weight : weights) {
+      value += weight * s * s;
+      // The sum of two angles: for small ones all terms are positive, and s is exact relative to s.
+      const double next = s * cosine + c * sine;
+      c = c * cosine - s * sine;
+      s = next;
+    }
+    symbol[k] = value;
+  }
+  return symbol;
 }
 
 }  // namespace wavecurve
