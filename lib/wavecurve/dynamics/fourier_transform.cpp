@@ -54,7 +54,9 @@ void FourierTransform::transform(Complex* x, bool inverse) {
   if (size_ == 1) return;  // Eigen's cannot do that
   if (rows_ > 1) return in_four_steps(x, inverse);
   direct(x, buffer_.data(), size_, inverse);
-  std::copy_n(buffer_.data(), size_, x);
+  const double scale = inverse ? 1.0 / static_cast<double>(size_) : 1;
+  std::transform(buffer_.data(), buffer_.data() + size_, x,
+                 [scale](const Complex& value) { return scale * value; });
 }
 
 void FourierTransform::in_four_steps(Complex* x, bool inverse) {
@@ -62,6 +64,7 @@ void FourierTransform::in_four_steps(Complex* x, bool inverse) {
   //   X_k = sum_r w_rows^(r k'') w_size^(r k') sum_j' w_others^(j' k') x_j.
   const Eigen::Index others = size_ / rows_;
   const auto rows = static_cast<std::uint64_t>(rows_);
+  const double scale = inverse ? 1.0 / static_cast<double>(size_) : 1;
   for (Eigen::Index first = 0; first < rows_; first += strip) {
     for (Eigen::Index j = 0; j < others; ++j) {
       for (Eigen::Index r = 0; r < strip; ++r) gathered_[r * pitch_ + j] = x[j * rows_ + first + r];
@@ -87,7 +90,7 @@ void FourierTransform::in_four_steps(Complex* x, bool inverse) {
     }
     for (Eigen::Index r = 0; r < rows_; ++r) {
       for (Eigen::Index k = 0; k < strip; ++k) {
-        x[r * others + first + k] = transformed_[k * pitch_ + r];
+        x[r * others + first + k] = scale * transformed_[k * pitch_ + r];
       }
     }
   }
@@ -95,9 +98,6 @@ void FourierTransform::in_four_steps(Complex* x, bool inverse) {
 
 void FourierTransform::forward(Eigen::Ref<Vector> x) { transform(x.data(), false); }
 
-void FourierTransform::inverse(Eigen::Ref<Vector> x) {
-  transform(x.data(), true);
-  x *= 1.0 / static_cast<double>(size_);
-}
+void FourierTransform::inverse(Eigen::Ref<Vector> x) { transform(x.data(), true); }
 
 }  // namespace wavecurve

@@ -30,17 +30,19 @@ class ModalBasis {
   virtual long long operations() const = 0;
 
  protected:
+  using In = const Eigen::Ref<const Eigen::VectorXd>&;
+  using Out = Eigen::Ref<Eigen::VectorXd>;
   using Column = Eigen::Ref<Eigen::VectorXcd>;
 
-  ModalBasis(Symbols modes, std::vector<Eigen::Index> mode_of_row);
+  ModalBasis(Symbols modes, std::vector<int> mode_of_row);
 
  private:
-  /// In place; of coefficients as forward and backward take them.
-  virtual void to_modes(Column values) = 0;
-  virtual void from_modes(Column values) = 0;
+  /// Of two coordinates; from_modes uses up the modes.
+  virtual void to_modes(In first, In second, Column modes) = 0;
+  virtual void from_modes(Column modes, Out first, Out second) = 0;
 
   Symbols modes_;
-  std::vector<Eigen::Index> mode_of_row_;
+  std::vector<int> mode_of_row_;
 };
 
 /// The finest level's Fourier basis, in which the system falls apart exactly.

@@ -10,13 +10,19 @@ Spectrum combination(const ModalBasis& basis, const Eigen::ArrayXd& a, const Spe
                      const Spectrum& third) {
   Spectrum sum(first.rows(), first.cols());
   for (Eigen::Index j = 0; j < sum.cols(); ++j) {
+    // In one pass: of many rows each pass is one through the memory.
+    if (second.size() > 0 && third.size() == 0) {
+      for (Eigen::Index k = 0; k < sum.rows(); ++k) {
+        const Eigen::Index n = basis.mode(k);
+        sum(k, j) = a[n] * first(k, j) + b[n] * second(k, j);
+      }
+      continue;
+    }
     for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) = a[basis.mode(k)] * first(k, j);
-    if (second.size() > 0) {
-      for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += b[basis.mode(k)] * second(k, j);
-    }
-    if (third.size() > 0) {
-      for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += c[basis.mode(k)] * third(k, j);
-    }
+    if (third.size() == 0) continue;
+    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += c[basis.mode(k)] * third(k, j);
+    if (second.size() == 0) continue;
+    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += b[basis.mode(k)] * second(k, j);
   }
   return sum;
 }

@@ -108,6 +108,7 @@ Roots roots(const Oscillator& oscillator) {
 Propagator propagator(const Oscillator& oscillator, double t) {
   check(oscillator, t);
   if (oscillator.rho == 0) return relaxation(oscillator, t);
+  if (t == 0) return {};
   const auto [slow, fast] = roots(oscillator);
   if (slow.imag() * t > 1) return oscillation(oscillator, -slow.real(), slow.imag(), t);
   // The response to an impulse, t exp[slow t, fast t]; of real roots, or of a conjugate pair, it is

@@ -1,5 +1,6 @@
 #include "wavecurve/operators/circulant.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -63,10 +64,23 @@ Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples,
     weights.push_back(-4 * scale * mu[l]);
     sum += 2 * mu[l];
   }
+  // Each angle is the sum of two of a table, in the first quadrant: their sine does not cancel.
+  constexpr std::size_t block = 256;
+  std::array<double, block> sines, cosines;
+  for (std::size_t i = 0; i < block; ++i) {
+    sines[i] = std::sin(step * static_cast<double>(i));
+    cosines[i] = std::cos(step * static_cast<double>(i));
+  }
+  double large_sine = 0, large_cosine = 1;
   Eigen::VectorXd symbol(samples / 2 + 1);
   for (Eigen::Index k = 0; k < symbol.size(); ++k) {
-    const double sine = std::sin(step * static_cast<double>(k));
-    const double cosine = std::cos(step * static_cast<double>(k));
+    const std::size_t i = static_cast<std::size_t>(k) % block;
+    if (i == 0) {
+      large_sine = std::sin(step * static_cast<double>(k));
+      large_cosine = std::cos(step * static_cast<double>(k));
+    }
+    const double sine = large_sine * cosines[i] + large_cosine * sines[i];
+    const double cosine = large_cosine * cosines[i] - large_sine * sines[i];
     double value = d == 0 ? sum : 0, s = sine, c = cosine;
     for (const double weight : weights) {
       value += weight * s * s;
