@@ -32,6 +32,7 @@ libgtest-dev          header:gtest/gtest.h
 librapidcheck-dev     header:rapidcheck.h
 libbenchmark-dev      header:benchmark/benchmark.h
 libgsl-dev            header:gsl/gsl_wavelet.h
+libsundials-dev       header:cvode/cvode.h
 librlottie-dev        header:rlottie.h
 ffmpeg                program:ffmpeg
 python3               program:/usr/bin/python3

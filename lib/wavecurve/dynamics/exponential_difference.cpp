@@ -59,4 +59,14 @@ Complex exponential_difference(Complex x, Complex y, Complex z) {
   return (exponential_difference(x, y) - exponential_difference(y, z)) / (x - z);
 }
 
+double phi(int k, double x) {
+  if (k == 0) return std::exp(x);
+  if (k == 1) return x == 0 ? 1 : std::expm1(x) / x;
+  if (std::abs(x) > 1) return (phi(k - 1, x) - (k == 2 ? 1 : 0.5)) / x;
+  // sum_n x^n / (n + k)!; 18 terms reach 2^-57 of the first.
+  double sum = 0;
+  for (int n = 18; n >= 0; --n) sum = (1 + sum * x / (n + k + 1));
+  return sum / (k == 2 ? 2 : 6);
+}
+
 }  // namespace wavecurve

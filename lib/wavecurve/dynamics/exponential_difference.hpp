@@ -17,4 +17,7 @@ std::complex<double> exponential_difference(std::complex<double> x, std::complex
 std::complex<double> exponential_difference(std::complex<double> x, std::complex<double> y,
                                             std::complex<double> z);
 
+/// phi_k(x) = exp[x, 0, ..., 0] with k zeros, k = 0 .. 3, for x <= 0: e^x, (e^x - 1) / x, ...
+double phi(int k, double x);
+
 }  // namespace wavecurve

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace wavecurve {
 
@@ -47,6 +48,14 @@ void check(const InitialValueProblem& problem) {
     }
   }
   check_times(problem.times);
+}
+
+void keep_what_is_reached(Trajectory& trajectory, const std::function<void()>& steps) {
+  try {
+    steps();
+  } catch (const std::exception& failure) {
+    throw SolutionStopped(failure.what(), std::move(trajectory));
+  }
 }
 
 Eigen::MatrixXd uniform_density(const LagrangeSystem& system,

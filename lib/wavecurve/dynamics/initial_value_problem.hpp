@@ -1,6 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -48,7 +51,8 @@ struct InitialValueProblem {
   Eigen::MatrixXd displacement, velocity;  ///< no rows of velocity: at rest
   Eigen::VectorXd times;                   ///< increasing, none negative
   Force force;
-  Eigen::MatrixXd rest;  ///< u_0, seen by general forces only; no rows: zero
+  Eigen::MatrixXd rest;    ///< u_0, seen by general forces only; no rows: zero
+  bool velocities = true;  ///< whether the trajectory shall have them
 };
 
 /// What a solution has cost.
@@ -57,11 +61,31 @@ struct Cost {
   long long operations = 0;   ///< additions and multiplications, counted by formula
 };
 
-/// One state for each of the times.
+/// One state for each of the times. A massless curve has no velocity of its own; there it is that
+/// of the equation, C^-1 (Q - K q).
 struct Trajectory {
   std::vector<Eigen::MatrixXd> displacement, velocity;
   Cost cost;
 };
+
+/// Thrown where a solver cannot go on: a force that throws or is not finite, a step size that
+/// vanishes, an iteration that does not converge. The message names the time and the bound; the
+/// states of the times before are kept.
+class SolutionStopped : public std::runtime_error {
+ public:
+  SolutionStopped(const std::string& reason, Trajectory reached)
+      : std::runtime_error(reason),
+        reached_(std::make_shared<const Trajectory>(std::move(reached))) {}
+
+  const Trajectory& reached() const { return *reached_; }
+
+ private:
+  std::shared_ptr<const Trajectory> reached_;  // shared: copying an exception must not throw
+};
+
+/// Runs steps, which appends states to the trajectory; what it throws becomes a SolutionStopped
+/// with the states so far.
+void keep_what_is_reached(Trajectory& trajectory, const std::function<void()>& steps);
 
 /// Throws std::invalid_argument naming what does not fit: sizes, times that decrease or are
 /// negative, values that are not finite. Every solver calls it first.

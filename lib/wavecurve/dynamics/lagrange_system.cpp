@@ -1,6 +1,7 @@
 #include "wavecurve/dynamics/lagrange_system.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,9 +20,29 @@ void check(const char* name, double value) {
                               ", but must be finite and at least 0");
 }
 
+/// Of the circulant of the finest level, by frequency 0 .. samples / 2.
 Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int order) {
-  return circulant_eigenvalues(connection_coefficients(bank, order, order).mu, samples, 2 * order)
-      .head(samples / 2 + 1);
+  if (order == 0 && bank.is_orthonormal()) return Eigen::VectorXd::Ones(samples / 2 + 1);
+  return circulant_symbol(connection_coefficients(bank, order, order).mu, samples, 2 * order);
+}
+
+/// Of the diagonal block of a band.
+Eigen::VectorXd band_symbol(const FilterBank<double>& bank, const Band& band, int order) {
+  if (order == 0 && bank.is_orthonormal()) return Eigen::VectorXd::Ones(band.size / 2 + 1);
+  const ConnectionCoefficients<double> coefficients = connection_coefficients(bank, order, order);
+  if (band.is_scaling) return circulant_symbol(coefficients.mu, band.size, 2 * order);
+  // The nu of derivatives do not sum to zero, as circulant_symbol takes for granted.
+  Eigen::VectorXd result = circulant_symbol(coefficients.nu, band.size, 2 * order);
+  if (order == 0) return result;
+  const std::vector<double>& nu = coefficients.nu.taps;
+  const double scale = std::ldexp(1.0, checked_log2(band.size) * 2 * order);
+  return result.array() + scale * std::accumulate(nu.begin(), nu.end(), 0.0);
+}
+
+/// The entry on the diagonal of a circulant: the mean of its eigenvalues.
+double mean(const Eigen::VectorXd& half, Eigen::Index size) {
+  const double twice = 2 * half.sum() - half[0] - (size > 1 ? half[size / 2] : half[0]);
+  return (size > 1 ? twice : half[0]) / static_cast<double>(size);
 }
 
 }  // namespace
@@ -40,14 +61,46 @@ LagrangeSystem::LagrangeSystem(FilterBank<double> bank, Eigen::Index samples, in
   symbols();
 }
 
-Symbols LagrangeSystem::symbols() const {
+Symbols LagrangeSystem::compose(const Eigen::VectorXd& gram, const Eigen::VectorXd& first,
+                                const Eigen::VectorXd& second) const {
   Symbols result;
-  result.gram = symbol(bank_, samples_, 0);
-  result.mass = material_.density * result.gram;
-  result.stiffness = material_.stiffness * symbol(bank_, samples_, 1);
-  if (material_.bending > 0) result.stiffness += material_.bending * symbol(bank_, samples_, 2);
-  result.damping = material_.damping_density * result.gram + material_.mass_damping * result.mass +
+  result.gram = gram;
+  result.mass = material_.density * gram;
+  result.stiffness = material_.stiffness * first;
+  if (material_.bending > 0) result.stiffness += material_.bending * second;
+  result.damping = material_.damping_density * gram + material_.mass_damping * result.mass +
                    material_.stiffness_damping * result.stiffness;
+  return result;
+}
+
+Symbols LagrangeSystem::symbols() const {
+  return compose(symbol(bank_, samples_, 0), symbol(bank_, samples_, 1),
+                 material_.bending > 0 ? symbol(bank_, samples_, 2) : Eigen::VectorXd());
+}
+
+std::vector<Symbols> LagrangeSystem::band_symbols() const {
+  std::vector<Symbols> result;
+  for (const Band& band : multiscale_bands(samples_, levels_)) {
+    result.push_back(
+        compose(band_symbol(bank_, band, 0), band_symbol(bank_, band, 1),
+                material_.bending > 0 ? band_symbol(bank_, band, 2) : Eigen::VectorXd()));
+  }
+  return result;
+}
+
+Symbols LagrangeSystem::band_diagonals() const {
+  const std::vector<Band> bands = multiscale_bands(samples_, levels_);
+  const auto count = static_cast<Eigen::Index>(bands.size());
+  Symbols result = {Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count),
+                    Eigen::VectorXd(count)};
+  const std::vector<Symbols> blocks = band_symbols();
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const auto band = static_cast<Eigen::Index>(i);
+    result.gram[band] = mean(blocks[i].gram, bands[i].size);
+    result.mass[band] = mean(blocks[i].mass, bands[i].size);
+    result.damping[band] = mean(blocks[i].damping, bands[i].size);
+    result.stiffness[band] = mean(blocks[i].stiffness, bands[i].size);
+  }
   return result;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/SparseCore>
 
 #include "wavecurve/filters/filter_bank.hpp"
@@ -44,9 +46,16 @@ class LagrangeSystem {
   const Material& material() const { return material_; }
 
   Symbols symbols() const;
+  /// The same of the diagonal block of each band, circulants too, by frequency 0 .. size / 2.
+  std::vector<Symbols> band_symbols() const;
+  /// The entries on the diagonals, by band: within a band they are all the same.
+  Symbols band_diagonals() const;
   Eigen::SparseMatrix<double> mass() const, damping() const, stiffness() const;
 
  private:
+  /// With K and C composed of the three.
+  Symbols compose(const Eigen::VectorXd& gram, const Eigen::VectorXd& first,
+                  const Eigen::VectorXd& second) const;
   /// gram G + first D_1 + second D_2.
   Eigen::SparseMatrix<double> combination(double gram, double first, double second) const;
 

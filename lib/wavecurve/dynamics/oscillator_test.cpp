@@ -148,7 +148,7 @@ RC_GTEST_PROP(Oscillator, HarmonicResponseIsTheMatrixExponential, ()) {
 }
 
 TEST(Oscillator, RefusesWhatIsNoOscillator) {
-  EXPECT_THROW(propagator({0, 1, 1}, 1), std::invalid_argument);
+  EXPECT_THROW(propagator({0, 0, 1}, 1), std::invalid_argument);
   EXPECT_THROW(propagator({1, -1, 1}, 1), std::invalid_argument);
   EXPECT_THROW(propagator({1, 1, -1}, 1), std::invalid_argument);
   EXPECT_THROW(propagator({1, 1, 1}, -1), std::invalid_argument);

@@ -1,10 +1,12 @@
 #include "wavecurve/operators/circulant.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,6 +50,48 @@ Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index sam
     eigenvalues[k] = scale * sum;
   }
   return eigenvalues;
+}
+
+Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples, int d) {
+  const double scale = std::ldexp(1.0, checked_log2(samples) * d);
+  if (d % 2 != 0) {
+    throw std::invalid_argument(fmt::format("d is {}, but eigenvalues need an even order", d));
+  }
+  const double step = std::numbers::pi / static_cast<double>(samples);
+  std::vector<double> weights;  // of sin(l t)^2, l = 1, 2, ...
+  double sum = mu[0];
+  for (int l = 1; l <= mu.last_index(); ++l) {
+    weights.push_back(-4 * scale * mu[l]);
+    sum += 2 * mu[l];
+  }
+  // Each angle is the sum of two of a table, in the first quadrant: their sine does not cancel.
+  constexpr std::size_t block = 256;
+  std::array<double, block> sines, cosines;
+  for (std::size_t i = 0; i < block; ++i) {
+    sines[i] = std::sin(step * static_cast<double>(i));
+    cosines[i] = std::cos(step * static_cast<double>(i));
+  }
+  double large_sine = 0, large_cosine = 1;
+  Eigen::VectorXd symbol(samples / 2 + 1);
+  for (Eigen::Index k = 0; k < symbol.size(); ++k) {
+    const std::size_t i = static_cast<std::size_t>(k) % block;
+    if (i == 0) {
+      large_sine = std::sin(step * static_cast<double>(k));
+      large_cosine = std::cos(step * static_cast<double>(k));
+    }
+    const double sine = large_sine * cosines[i] + large_cosine * sines[i];
+    const double cosine = large_cosine * cosines[i] - large_sine * sines[i];
+    double value = d == 0 ? sum : 0, s = sine, c = cosine;
+    for (const double weight : weights) {
+      value += weight * s * s;
+      // The sum of two angles: for small ones all terms are positive, and s is exact relative to s.
+      const double next = s * cosine + c * sine;
+      c = c * cosine - s * sine;
+      s = next;
+    }
+    symbol[k] = value;
+  }
+  return symbol;
 }
 
 }  // namespace wavecurve

@@ -20,6 +20,9 @@ Eigen::VectorXd circulant_column(const Filter<double>& mu, Eigen::Index samples,
 /// Throws std::invalid_argument for an odd d, and as circulant_column does.
 Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index samples, int d);
 
+/// The same, by frequency k = 0 .. samples / 2 only, for symmetric mu; a sine and a cosine each.
+Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples, int d);
+
 /// log2 of a valid number of samples; throws as circulant_column does.
 int checked_log2(Eigen::Index samples);
 

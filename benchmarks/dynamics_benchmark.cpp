@@ -1,0 +1,292 @@
+// The dynamics solvers side by side, section by section; --benchmark_filter picks one. Peers:
+// SUNDIALS' CVODE and ARKODE with the same operator, Eigen's LDLT.
+#include <arkode/arkode_erkstep.h>
+#include <cmath>
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <string>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <Eigen/Cholesky>
+#include <benchmark/benchmark.h>
+
+#include "wavecurve/dynamics/coupled.hpp"
+#include "wavecurve/dynamics/equation_of_motion.hpp"
+#include "wavecurve/dynamics/fourier_transform.hpp"
+#include "wavecurve/dynamics/schulz_inverse.hpp"
+#include "wavecurve/dynamics/shifted_solver.hpp"
+#include "wavecurve/dynamics/solver.hpp"
+#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/operators/multiscale_matrix.hpp"
+#include "wavecurve/transform/periodic_transform.hpp"
+
+namespace wavecurve {
+namespace {
+
+int log2_of(Eigen::Index samples) {
+  return static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
+}
+
+/// An ellipse released towards the unit circle, D8, all levels, t from 0 to 1.
+InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames, Material material = {}) {
+  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples), material);
+  const PeriodicTransform<double> transform(system.bank(), samples, system.levels());
+  Eigen::VectorXd workspace(transform.workspace_size());
+  Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);
+  for (Eigen::Index i = 0; i < samples; ++i) {
+    const double x = 2 * M_PI * static_cast<double>(i) / static_cast<double>(samples);
+    fine.row(i) << 0.4 * std::cos(x), -0.4 * std::sin(x);
+  }
+  for (int j = 0; j < 2; ++j) transform.forward(fine.col(j), displacement.col(j), workspace);
+  Eigen::VectorXd times = Eigen::VectorXd::Constant(1, 1);
+  if (frames > 1) times.setLinSpaced(frames, 0, 1);
+  return {system, displacement, {}, times, {}, {}, false};
+}
+
+double error_of(const Trajectory& solution, const Trajectory& exact) {
+  return (solution.displacement.back() - exact.displacement.back()).norm() /
+         exact.displacement.front().norm();
+}
+
+/// A solver by name; the counters say how exact it was and what it did.
+void solve(benchmark::State& state, const std::string& name, double accuracy, Material material) {
+  const InitialValueProblem problem = ellipse(state.range(0), 60, material);
+  const Solver solver = find_solver(name).make(accuracy);
+  Trajectory solution;
+  for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
+  state.counters["error"] = error_of(solution, solve_spectral(problem));
+  state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
+  state.SetComplexityN(state.range(0));
+}
+
+void one_frame(benchmark::State& state) {
+  const InitialValueProblem problem = ellipse(state.range(0), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(solve_spectral(problem));
+}
+
+/// The operator of the matrix-free coupled solver, as SUNDIALS calls it.
+struct Peer {
+  EquationOfMotion motion;
+  Eigen::Index rows;
+
+  static int evaluate(realtype t, N_Vector y, N_Vector derivative, void* data) {
+    auto& peer = *static_cast<Peer*>(data);
+    const Eigen::Index size = 2 * peer.rows;  // of two coordinates
+    const double* in = N_VGetArrayPointer(y);
+    double* out = N_VGetArrayPointer(derivative);
+    const Eigen::Map<const Eigen::MatrixXd> q(in, peer.rows, 2), v(in + size, peer.rows, 2);
+    Eigen::Map<Eigen::MatrixXd>(out, peer.rows, 2) = v;
+    peer.motion(t, q, v, Eigen::Map<Eigen::MatrixXd>(out + size, peer.rows, 2));
+    return 0;
+  }
+};
+
+enum class Sundials { bdf, adams, explicit_runge_kutta };
+
+Eigen::MatrixXd solve_sundials(const InitialValueProblem& problem, Sundials method,
+                               double tolerance, long long& evaluations) {
+  const Eigen::Index rows = problem.system.samples();
+  Peer peer = {EquationOfMotion(problem, false), rows};
+  sundials::Context context;
+  N_Vector y = N_VNew_Serial(4 * rows, context);
+  Eigen::Map<Eigen::MatrixXd> state(N_VGetArrayPointer(y), rows, 4);
+  state << problem.displacement, Eigen::MatrixXd::Zero(rows, 2);
+  const double end = problem.times[problem.times.size() - 1];
+  realtype reached = 0;
+  if (method == Sundials::explicit_runge_kutta) {
+    void* memory = ERKStepCreate(Peer::evaluate, 0, y, context);
+    ERKStepSStolerances(memory, tolerance, tolerance);
+    ERKStepSetUserData(memory, &peer);
+    ERKStepSetMaxNumSteps(memory, 1 << 30);
+    ERKStepEvolve(memory, end, y, &reached, ARK_NORMAL);
+    ERKStepFree(&memory);
+  } else {
+    void* memory = CVodeCreate(method == Sundials::bdf ? CV_BDF : CV_ADAMS, context);
+    CVodeInit(memory, Peer::evaluate, 0, y);
+    CVodeSStolerances(memory, tolerance, tolerance);
+    CVodeSetUserData(memory, &peer);
+    CVodeSetMaxNumSteps(memory, 1 << 30);
+    SUNLinearSolver linear = nullptr;
+    SUNNonlinearSolver fixed_point = nullptr;
+    if (method == Sundials::bdf) {
+      linear = SUNLinSol_SPGMR(y, SUN_PREC_NONE, 0, context);
+      CVodeSetLinearSolver(memory, linear, nullptr);
+    } else {
+      fixed_point = SUNNonlinSol_FixedPoint(y, 0, context);
+      CVodeSetNonlinearSolver(memory, fixed_point);
+    }
+    CVode(memory, end, y, &reached, CV_NORMAL);
+    CVodeFree(&memory);
+    if (linear) SUNLinSolFree(linear);
+    if (fixed_point) SUNNonlinSolFree(fixed_point);
+  }
+  evaluations = peer.motion.cost().evaluations;
+  const Eigen::MatrixXd result = state.leftCols(2);
+  N_VDestroy(y);
+  return result;
+}
+
+void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
+  InitialValueProblem problem = ellipse(state.range(0), 1);
+  Eigen::MatrixXd end;
+  long long evaluations = 0;
+  for (auto _ : state) end = solve_sundials(problem, method, tolerance, evaluations);
+  const Eigen::MatrixXd exact = solve_spectral(problem).displacement[0];
+  state.counters["error"] = (end - exact).norm() / problem.displacement.norm();
+  state.counters["evaluations"] = static_cast<double>(evaluations);
+}
+
+void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditioned) {
+  const Eigen::Index samples = state.range(0);
+  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples), {});
+  SystemOperator a(system, 1, 1);
+  Eigen::VectorXd b(samples), x(samples);
+  for (Eigen::Index i = 0; i < samples; ++i) {
+    b[i] = std::sin(1e4 * static_cast<double>(i * i % 9973));
+  }
+  int iterations = 0;
+  for (auto _ : state) {
+    x.setZero();
+    iterations = conjugate_gradients(a, b, x, 1e-8, is_preconditioned);
+  }
+  state.counters["iterations"] = iterations;
+}
+
+/// M + 1e-4 K, well conditioned and with a sparse inverse up to a few hundred samples only.
+Eigen::SparseMatrix<double> damping_matrix(Eigen::Index samples) {
+  return damping(find_filter_bank<double>("db4"), samples, log2_of(samples), 1, 1e-4);
+}
+
+void schulz_dense(benchmark::State& state) {
+  const Eigen::MatrixXd c = damping_matrix(state.range(0));
+  std::size_t steps = 0;
+  for (auto _ : state) steps = schulz_inverse(c, 1e-9).residuals.size();
+  state.counters["steps"] = static_cast<double>(steps);
+}
+
+void schulz_sparse(benchmark::State& state) {
+  const Eigen::SparseMatrix<double> c = damping_matrix(state.range(0));
+  SchulzInverse<Eigen::SparseMatrix<double>> result;
+  for (auto _ : state) result = schulz_inverse(c, 1e-9, 1e-12);
+  state.counters["steps"] = static_cast<double>(result.residuals.size());
+  state.counters["residual"] = result.residuals.back();
+  state.counters["filled"] =
+      static_cast<double>(result.inverse.nonZeros()) / static_cast<double>(c.rows() * c.cols());
+}
+
+void ldlt_inverse(benchmark::State& state) {
+  const Eigen::MatrixXd c = damping_matrix(state.range(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        Eigen::MatrixXd(c.ldlt().solve(Eigen::MatrixXd::Identity(c.rows(), c.cols()))));
+  }
+}
+
+/// C^-1 b by the Fourier transform: there is no need of the inverse.
+void fourier_solve(benchmark::State& state) {
+  const Eigen::Index samples = state.range(0);
+  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
+                              {1, 1, 0, 1, 1e-4, 0});
+  const std::unique_ptr<ModalBasis> basis = fourier_basis(system);
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
+  for (auto _ : state) {
+    Spectrum spectrum = basis->forward(b);
+    for (Eigen::Index k = 0; k < samples; ++k) {
+      spectrum.row(k) /= basis->modes().damping[basis->mode(k)];
+    }
+    benchmark::DoNotOptimize(basis->backward(std::move(spectrum), 2));
+  }
+}
+
+const Material undamped = {}, damped = {1, 1, 0, 0.5, 1e-3, 0};
+
+// 60 frames of N = 1024, and one of 2^20.
+BENCHMARK_CAPTURE(solve, spectral, "spectral", 1e-9, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1 << 16)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(one_frame)->Arg(1 << 20)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, decoupled, "decoupled", 1e-9, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1 << 14)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, block_decoupled, "block-decoupled", 1e-9, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1 << 14)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, coupled, "coupled", 1e-6, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, coupled_cash_karp, "coupled-cash-karp", 1e-6, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, coupled_dormand_prince, "coupled-dormand-prince", 1e-6, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, coupled_dense, "coupled-dense", 1e-6, undamped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(solve, implicit, "implicit", 1e-3, damped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, implicit_rosenbrock, "implicit-rosenbrock", 1e-5, damped)
+    ->RangeMultiplier(4)
+    ->Range(64, 1024)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+
+// At equal achieved error: compare the counters, and the times of rows whose errors are alike.
+BENCHMARK_CAPTURE(sundials_peer, cvode_adams_1e6, Sundials::adams, 1e-6)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sundials_peer, cvode_adams_1e8, Sundials::adams, 1e-8)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sundials_peer, cvode_bdf_1e6, Sundials::bdf, 1e-6)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sundials_peer, cvode_bdf_1e8, Sundials::bdf, 1e-8)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sundials_peer, arkode_1e6, Sundials::explicit_runge_kutta, 1e-6)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sundials_peer, arkode_1e8, Sundials::explicit_runge_kutta, 1e-8)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_CAPTURE(conjugate_gradients_iterations, diagonal, true)
+    ->RangeMultiplier(4)
+    ->Range(1 << 8, 1 << 18)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(conjugate_gradients_iterations, none, false)
+    ->RangeMultiplier(4)
+    ->Range(1 << 8, 1 << 12)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+BENCHMARK(schulz_dense)->RangeMultiplier(4)->Range(64, 1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(schulz_dense)->Arg(4096)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(schulz_sparse)->RangeMultiplier(4)->Range(64, 1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(ldlt_inverse)->RangeMultiplier(4)->Range(64, 4096)->Unit(benchmark::kMillisecond);
+BENCHMARK(fourier_solve)->RangeMultiplier(4)->Range(64, 4096)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace wavecurve

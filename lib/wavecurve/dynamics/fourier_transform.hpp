@@ -1,0 +1,37 @@
+#pragma once
+
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+#include <Eigen/Core>
+
+namespace wavecurve {
+
+/// The discrete Fourier transform of a length that is a power of two, by Eigen's; of a long one as
+/// a matrix (four steps: columns, twiddle factors, transposition, columns), whose columns fit into
+/// the cache.
+///   forward: X_k = sum_j x_j e^(-2 pi i j k / n),   inverse: its inverse.
+class FourierTransform {
+ public:
+  using Vector = Eigen::VectorXcd;
+
+  explicit FourierTransform(Eigen::Index size);
+
+  void forward(Eigen::Ref<Vector> x);
+  void inverse(Eigen::Ref<Vector> x);
+
+ private:
+  void transform(std::complex<double>* x, bool inverse);
+
+  void direct(const std::complex<double>* source, std::complex<double>* target, Eigen::Index length,
+              bool inverse);
+  void in_four_steps(std::complex<double>* x, bool inverse);
+
+  Eigen::Index size_, rows_ = 1;  ///< rows_ = 2^shift_ > 1: in four steps
+  Eigen::Index pitch_ = 0;
+  int shift_ = 0;
+  Vector buffer_, gathered_, transformed_, coarse_, fine_;
+  Eigen::FFT<double> fft_;
+};
+
+}  // namespace wavecurve

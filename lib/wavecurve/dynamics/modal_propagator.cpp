@@ -1,0 +1,69 @@
+#include "wavecurve/dynamics/modal_propagator.hpp"
+
+namespace wavecurve {
+
+namespace {
+
+/// sum = a first + b second + c third, mode by mode; empty spectra are zero.
+Spectrum combination(const ModalBasis& basis, const Eigen::ArrayXd& a, const Spectrum& first,
+                     const Eigen::ArrayXd& b, const Spectrum& second, const Eigen::ArrayXd& c,
+                     const Spectrum& third) {
+  Spectrum sum(first.rows(), first.cols());
+  for (Eigen::Index j = 0; j < sum.cols(); ++j) {
+    // In one pass: of many rows each pass is one through the memory.
+    if (second.size() > 0 && third.size() == 0) {
+      for (Eigen::Index k = 0; k < sum.rows(); ++k) {
+        const Eigen::Index n = basis.mode(k);
+        sum(k, j) = a[n] * first(k, j) + b[n] * second(k, j);
+      }
+      continue;
+    }
+    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) = a[basis.mode(k)] * first(k, j);
+    if (third.size() == 0) continue;
+    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += c[basis.mode(k)] * third(k, j);
+    if (second.size() == 0) continue;
+    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += b[basis.mode(k)] * second(k, j);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Oscillator oscillator(const Symbols& modes, Eigen::Index mode) {
+  return {modes.mass[mode], modes.damping[mode], modes.stiffness[mode]};
+}
+
+ModalPropagator::ModalPropagator(const Symbols& modes, double t) {
+  for (Eigen::ArrayXd* array : {&qq_, &qv_, &vq_, &vv_, &qf_, &vf_})
+    array->resize(modes.mass.size());
+  for (Eigen::Index n = 0; n < modes.mass.size(); ++n) {
+    const Propagator p = propagator(oscillator(modes, n), t);
+    qq_[n] = p.qq;
+    qv_[n] = p.qv;
+    vq_[n] = p.vq;
+    vv_[n] = p.vv;
+    qf_[n] = p.qf;
+    vf_[n] = p.vf;
+  }
+}
+
+ModalPropagator ModalPropagator::then(const ModalPropagator& other) const {
+  ModalPropagator sum;
+  sum.qq_ = other.qq_ * qq_ + other.qv_ * vq_;
+  sum.qv_ = other.qq_ * qv_ + other.qv_ * vv_;
+  sum.vq_ = other.vq_ * qq_ + other.vv_ * vq_;
+  sum.vv_ = other.vq_ * qv_ + other.vv_ * vv_;
+  sum.qf_ = other.qq_ * qf_ + other.qv_ * vf_ + other.qf_;
+  sum.vf_ = other.vq_ * qf_ + other.vv_ * vf_ + other.vf_;
+  return sum;
+}
+
+ModalState ModalPropagator::advance(const ModalBasis& basis, const ModalState& state,
+                                    const Spectrum& force, bool velocities) const {
+  const Spectrum &q = state.displacement, &v = state.velocity;
+  ModalState result = {combination(basis, qq_, q, qv_, v, qf_, force), {}};
+  if (velocities) result.velocity = combination(basis, vq_, q, vv_, v, vf_, force);
+  return result;
+}
+
+}  // namespace wavecurve

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "wavecurve/dynamics/modal_basis.hpp"
+#include "wavecurve/dynamics/oscillator.hpp"
+
+namespace wavecurve {
+
+/// Amplitudes of displacement and velocity of all modes.
+struct ModalState {
+  Spectrum displacement, velocity;
+};
+
+/// The constants of one mode.
+Oscillator oscillator(const Symbols& modes, Eigen::Index mode);
+
+/// The propagators of all modes over a time, mode by mode in arrays.
+class ModalPropagator {
+ public:
+  ModalPropagator() = default;
+  ModalPropagator(const Symbols& modes, double t);
+
+  /// First this, then other: over the sum of their times.
+  ModalPropagator then(const ModalPropagator& other) const;
+
+  /// The state after the time, with a constant force; of the velocities, only if wanted. An empty
+  /// force or velocity is zero.
+  ModalState advance(const ModalBasis& basis, const ModalState& state, const Spectrum& force,
+                     bool velocities) const;
+
+ private:
+  Eigen::ArrayXd qq_, qv_, vq_, vv_, qf_, vf_;
+};
+
+}  // namespace wavecurve

@@ -1,0 +1,252 @@
+#include "wavecurve/dynamics/solver.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/dynamics/solver_test_problem.hpp"
+#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/transform/bands.hpp"
+
+namespace wavecurve {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+const std::vector<std::string> filters = {"db4", "bspline4.4"};
+
+/// A solver of the coupled system and the accuracies it is tried with, the error it should have at
+/// the finest, and how fast it should fall: the order, in powers of a step or of a tolerance.
+struct Trial {
+  std::string name;
+  std::vector<double> accuracies;
+  double order;
+};
+
+const std::vector<Trial> trials = {
+    // A tolerance of the step's error, of order h^(p+1), gives a global error of
+    // tolerance^(p/(p+1)):
+    // 4/5 for the pairs whose estimate is of order 5, 2/3 where it is of order 3.
+    {"coupled", {1e-4, 1e-6, 1e-8}, 4.0 / 5},
+    {"coupled-cash-karp", {1e-4, 1e-6, 1e-8}, 4.0 / 5},
+    {"coupled-dormand-prince", {1e-4, 1e-6, 1e-8}, 4.0 / 5},
+    {"coupled-dense", {1e-4, 1e-6, 1e-8}, 4.0 / 5},
+    {"implicit-rosenbrock", {1e-4, 1e-5, 1e-6}, 2.0 / 3},
+    {"implicit-rosenbrock-ldlt", {1e-4, 1e-5, 1e-6}, 2.0 / 3},
+    {"implicit", {1.0 / 64, 1.0 / 256, 1.0 / 1024}, 2},
+    {"implicit-ldlt", {1.0 / 64, 1.0 / 256, 1.0 / 1024}, 2},
+};
+
+InitialValueProblem forced_problem(const std::string& filter) {
+  InitialValueProblem problem = smooth_problem(filter, 32, {1.5, 0.8, 0, 0.2, 1e-3, 0.1});
+  problem.velocity = -0.7 * problem.displacement;
+  problem.force.constant = uniform_density(problem.system, Eigen::RowVector2d(0.1, -1));
+  problem.force.harmonic.push_back({4, problem.displacement, 0.5 * problem.displacement});
+  return problem;
+}
+
+TEST(Solvers, TendToTheExactSolutionAtTheirOrder) {
+  for (const std::string& filter : filters) {
+    const InitialValueProblem problem = forced_problem(filter);
+    const Trajectory exact = solve_spectral(problem);
+    for (const Trial& trial : trials) {
+      std::vector<double> errors;
+      for (const double accuracy : trial.accuracies) {
+        const Trajectory solution = find_solver(trial.name).make(accuracy)(problem);
+        errors.push_back(largest_difference(solution.displacement, exact.displacement));
+        EXPECT_GT(solution.cost.operations, 0);
+      }
+      const double order = std::log(errors.front() / errors.back()) /
+                           std::log(trial.accuracies.front() / trial.accuracies.back());
+      // Steps are not fine enough throughout for the order to be sharp: a tenth and a half.
+      EXPECT_GT(order, 0.9 * trial.order) << trial.name << " " << filter;
+      EXPECT_LT(errors.back(), 1e-3) << trial.name << " " << filter;
+      EXPECT_LT(order, 1.5 * trial.order + 0.2) << trial.name << " " << filter;
+    }
+  }
+}
+
+TEST(Solvers, TheMatrixFreeOneIsItsDenseTwin) {
+  for (const std::string& filter : filters) {
+    const InitialValueProblem problem = forced_problem(filter);
+    const Trajectory fast = find_solver("coupled").make(1e-6)(problem);
+    const Trajectory plain = find_solver("coupled-dense").make(1e-6)(problem);
+    // The same steps, with rounding alone between them: thousands of operations of size 1.
+    EXPECT_EQ(fast.cost.evaluations, plain.cost.evaluations);
+    EXPECT_LT(largest_difference(fast.displacement, plain.displacement), 1e5 * epsilon);
+    EXPECT_LT(largest_difference(fast.velocity, plain.velocity), 1e6 * epsilon);
+  }
+}
+
+TEST(Solvers, SolveOneModeAsOnPaper) {
+  // On the circle of 64 samples, mode 1: q'' + 0.3 q' + k q = 0 with the symbol k, near (2 pi)^2.
+  InitialValueProblem problem = smooth_problem("db4", 64, {1, 1, 0, 0.3, 0, 0});
+  problem.displacement.col(0) = problem.displacement.col(1);
+  const double k = problem.system.symbols().stiffness[1], decay = 0.15;
+  const double omega = std::sqrt(k - decay * decay);
+  for (const Trial& trial : trials) {
+    const Trajectory solution = find_solver(trial.name).make(trial.accuracies.back())(problem);
+    for (std::size_t i = 0; i < solution.displacement.size(); ++i) {
+      const double t = problem.times[static_cast<Eigen::Index>(i)];
+      const double factor =
+          std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
+      EXPECT_LT((solution.displacement[i] - factor * problem.displacement).norm(),
+                2e-4 * problem.displacement.norm())
+          << trial.name << " at " << t;
+    }
+  }
+}
+
+/// At an accuracy that is cheap.
+Solver cheap(const NamedSolver& solver) {
+  return solver.make(solver.accuracy == Accuracy::step ? 1.0 / 64 : 1e-5);
+}
+
+/// All that solve the equation of second order.
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> result;
+  for (const NamedSolver& solver : solvers()) {
+    if (!solver.is_massless) result.push_back(cheap(solver));
+  }
+  return result;
+}
+
+/// The coefficients of the curve whose start point is moved by so many samples, a multiple of the
+/// coarsest spacing.
+Eigen::MatrixXd shifted(const LagrangeSystem& system, const Eigen::MatrixXd& coefficients,
+                        Eigen::Index shift) {
+  Eigen::MatrixXd result = coefficients;
+  for (const Band& band : multiscale_bands(system.samples(), system.levels())) {
+    const Eigen::Index by = shift * band.size / system.samples();
+    for (Eigen::Index n = 0; n < band.size; ++n) {
+      result.row(band.offset + n) = coefficients.row(band.offset + (n + by) % band.size);
+    }
+  }
+  return result;
+}
+
+TEST(Solvers, ShiftTheSolutionWithTheStartPoint) {
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 3, {1, 1, 0, 0.1, 0, 0});
+  const Eigen::Index shift = 2 * 8;  // twice the coarsest spacing
+  InitialValueProblem problem = {system, {}, {}, Eigen::Vector2d(0.2, 0.5), {}, {}};
+  for (const NamedSolver& named : solvers()) {
+    if (named.is_massless) continue;
+    const Solver solver = cheap(named);
+    problem.displacement = coefficients_of(system, smooth_samples(64));
+    const Trajectory original = solver(problem);
+    problem.displacement = coefficients_of(system, smooth_samples(64, shift));
+    Trajectory moved = solver(problem);
+    for (Eigen::MatrixXd& state : moved.displacement) state = shifted(system, state, -shift + 64);
+    // Closed forms: rounding. Newmark: 32 steps, each with residuals of 1e-12. The others may
+    // choose other steps where rounding tips the scale.
+    const double bound = named.accuracy == Accuracy::closed_form ? 1e4 * epsilon
+                         : named.accuracy == Accuracy::step      ? 1e-9
+                                                                 : 1e-4;
+    EXPECT_LT(largest_difference(moved.displacement, original.displacement), bound) << named.name;
+  }
+}
+
+TEST(Solvers, AreLinearInStartAndForce) {
+  InitialValueProblem problem = smooth_problem("cdf9.7", 32, {1, 1, 0, 0.1, 1e-4, 0});
+  problem.force.constant = 2 * problem.displacement;
+  InitialValueProblem twice = problem;
+  twice.displacement *= 2;
+  twice.force.constant *= 2;
+  for (const Solver& solver : all_solvers()) {
+    const Trajectory once = solver(problem);
+    Trajectory both = solver(twice);
+    for (Eigen::MatrixXd& state : both.displacement) state /= 2;
+    // Steps are chosen by relative errors, so they are the same; a factor of 2 is exact.
+    EXPECT_LT(largest_difference(once.displacement, both.displacement), 1e-12);
+  }
+}
+
+TEST(Solvers, RunBackwardsWithoutDamping) {
+  InitialValueProblem problem = smooth_problem("db4", 32, {1, 1, 0, 0, 0, 0});
+  problem.times = Eigen::VectorXd::Constant(1, 0.4);
+  for (const NamedSolver& named : solvers()) {
+    if (named.is_massless) continue;
+    const bool is_step = named.accuracy == Accuracy::step;
+    const Solver solver = named.make(is_step ? 1.0 / 64 : 1e-6);
+    InitialValueProblem back = problem;
+    const Trajectory there = solver(problem);
+    back.displacement = there.displacement[0];
+    back.velocity = -there.velocity[0];
+    const Trajectory again = solver(back);
+    // Newmark's method is symmetric in time, the closed forms exact: rounding and residuals alone.
+    const double bound = named.accuracy == Accuracy::tolerance ? 1e-3 : 1e-9;
+    EXPECT_LT((again.displacement[0] - problem.displacement).norm(),
+              bound * problem.displacement.norm())
+        << named.name;
+  }
+}
+
+TEST(Solvers, StopAtForcesThatFailAndKeepWhatIsReached) {
+  for (const Solver& solver : all_solvers()) {
+    for (const bool throws : {false, true}) {
+      InitialValueProblem problem = smooth_problem("db4", 16, {});
+      problem.force.general.push_back(
+          [throws](double t, const Eigen::Ref<const Eigen::MatrixXd>& positions, const auto&) {
+            if (t > 0.6 && throws) throw std::runtime_error("no force left");
+            return Eigen::MatrixXd::Constant(positions.rows(), positions.cols(),
+                                             t > 0.6 ? NAN : 0.5);
+          });
+      try {
+        solver(problem);
+        ADD_FAILURE() << "no exception";
+      } catch (const SolutionStopped& stopped) {
+        EXPECT_NE(std::string(stopped.what()).find("general force 0"), std::string::npos);
+        EXPECT_NE(std::string(stopped.what()).find("at time 0."), std::string::npos);
+        EXPECT_GE(stopped.reached().displacement.size(), 2u);  // 0, 0.25; steps may pass 0.5
+        EXPECT_LE(stopped.reached().displacement.size(), 3u);
+      }
+    }
+  }
+}
+
+TEST(Solvers, StopWhereTheStepSizeVanishes) {
+  for (const char* name : {"coupled", "coupled-cash-karp", "coupled-dormand-prince",
+                           "implicit-rosenbrock", "spectral", "decoupled"}) {
+    InitialValueProblem problem = smooth_problem("db4", 8, {});
+    // q'' = 2 / (1/2 - t)^2 and more: infinite at time 1/2.
+    problem.force.general.push_back(
+        [](double t, const Eigen::Ref<const Eigen::MatrixXd>& positions, const auto&) {
+          return Eigen::MatrixXd::Constant(positions.rows(), positions.cols(),
+                                           1 / ((0.5001 - t) * (0.5001 - t)));
+        });
+    try {
+      find_solver(name).make(1e-8)(problem);
+      ADD_FAILURE() << name << ": no exception";
+    } catch (const SolutionStopped& stopped) {
+      EXPECT_NE(std::string(stopped.what()).find("step size"), std::string::npos)
+          << name << stopped.what();
+      EXPECT_EQ(stopped.reached().displacement.size(), 3u) << name;
+    }
+  }
+}
+
+TEST(Solvers, RefuseWhatDoesNotFit) {
+  for (const NamedSolver& solver : solvers()) {
+    InitialValueProblem problem = smooth_problem("db4", 16, {});
+    if (solver.is_massless) {
+      EXPECT_THROW(solver.make(1e-3)(problem), std::domain_error) << solver.name;
+      continue;
+    }
+    if (solver.accuracy != Accuracy::closed_form) {
+      for (const double value : {0.0, -1.0, double(NAN)}) {
+        EXPECT_THROW(solver.make(value)(problem), std::invalid_argument) << solver.name;
+      }
+    }
+    problem.times = Eigen::Vector2d(1, 0.5);
+    EXPECT_THROW(solver.make(0.1)(problem), std::invalid_argument) << solver.name;
+    problem = smooth_problem("db4", 16, {0, 1, 0, 0, 1, 0});  // massless, C = K singular
+    EXPECT_THROW(solver.make(0.1)(problem), std::domain_error) << solver.name;
+  }
+  EXPECT_THROW(find_solver("euler"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wavecurve
