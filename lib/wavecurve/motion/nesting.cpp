@@ -74,7 +74,7 @@ bool is_hole(const std::vector<Contour>& outline, std::size_t i, FillRule rule) 
     if (j != i) outside += winding_number(outline[j], outline[i].row(0));
   }
   const int inside = outside + (signed_area(outline[i]) >= 0 ? 1 : -1);
-  return is_filled(outside, rule) && !is_filled(inside, rule);
+  return !is_filled(inside, rule);  // so the outer side, one turn off, is
 }
 
 Vector2d interior_point(In contour) {
