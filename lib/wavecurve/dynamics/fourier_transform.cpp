@@ -17,8 +17,8 @@ Complex product(Complex a, Complex b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// Columns handled at a time: four cache lines of each row that they cross.
-constexpr Eigen::Index strip = 16;
+/// Columns handled at a time: two cache lines of each row that they cross.
+constexpr Eigen::Index strip = 8;
 
 }  // namespace
 

@@ -78,6 +78,42 @@ RC_GTEST_PROP(Spectral, IsTheMatrixExponential, ()) {
   RC_ASSERT(difference(spectral.velocity, exact.velocity) <= bound * v);
 }
 
+TEST(Spectral, IsTheMatrixExponentialInDoubleAtLargerSizes) {
+  for (const char* name : {"coif2", "cdf9.7"}) {
+    const LagrangeSystem system(find_filter_bank<double>(name), 128, 7, {1, 1, 0, 0.5, 1e-4, 0});
+    InitialValueProblem problem = {system, Eigen::MatrixXd::Random(128, 1), {}, {}, {}, {}};
+    problem.times = Eigen::VectorXd::Constant(1, 0.3);
+    problem.force.constant = Eigen::MatrixXd::Random(128, 1);
+    const Trajectory exact = plain::solve_matrix_exponential<double>(problem);
+    const Trajectory spectral = solve_spectral(problem);
+    // The exponential squares a dozen times, each time with the rounding of sums of 257 products of
+    // entries as large as the fastest frequency; the basis has a condition of at most 2^7.
+    const double fastest = std::sqrt(system.symbols().stiffness.maxCoeff());
+    const double bound = 128 * 16 * epsilon * fastest * largest(exact.displacement);
+    EXPECT_LE(difference(spectral.displacement, exact.displacement), bound) << name;
+  }
+}
+
+TEST(Spectral, TendsToTheUndampedMotionAsTheDampingVanishes) {
+  const auto solution = [](double s2) {
+    const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0, s2, 0});
+    return solve_spectral(
+        {system,
+         uniform_density(system, Eigen::RowVector2d(1, 2)) + Eigen::MatrixXd::Identity(64, 2),
+         {},
+         Eigen::Vector2d(0.5, 1),
+         {},
+         {}});
+  };
+  const Trajectory limit = solution(0);
+  double last = difference(solution(1e-7).displacement, limit.displacement);
+  for (const double s2 : {1e-8, 1e-9}) {
+    const double now = difference(solution(s2).displacement, limit.displacement);
+    EXPECT_NEAR(now / last, 0.1, 0.01);  // of first order in the damping
+    last = now;
+  }
+}
+
 TEST(Spectral, EquallySpacedTimesGiveWhatSingleTimesGive) {
   const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0.3, 1e-4, 0});
   InitialValueProblem problem = {system, Eigen::MatrixXd::Random(64, 2), {}, {}, {}, {}};
