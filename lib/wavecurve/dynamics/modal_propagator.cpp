@@ -1,28 +1,27 @@
 #include "wavecurve/dynamics/modal_propagator.hpp"
 
+#include <utility>
+
 namespace wavecurve {
 
 namespace {
 
-/// sum = a first + b second + c third, mode by mode; empty spectra are zero.
-Spectrum combination(const ModalBasis& basis, const Eigen::ArrayXd& a, const Spectrum& first,
+/// a sum + b second + c third, mode by mode, in the place of sum; empty spectra are zero.
+Spectrum combination(const ModalBasis& basis, const Eigen::ArrayXd& a, Spectrum sum,
                      const Eigen::ArrayXd& b, const Spectrum& second, const Eigen::ArrayXd& c,
                      const Spectrum& third) {
-  Spectrum sum(first.rows(), first.cols());
   for (Eigen::Index j = 0; j < sum.cols(); ++j) {
-    // In one pass: of many rows each pass is one through the memory.
-    if (second.size() > 0 && third.size() == 0) {
+    // The usual case in one pass, without a decision in its loop.
+    if (second.size() > 0) {
       for (Eigen::Index k = 0; k < sum.rows(); ++k) {
         const Eigen::Index n = basis.mode(k);
-        sum(k, j) = a[n] * first(k, j) + b[n] * second(k, j);
+        sum(k, j) = a[n] * sum(k, j) + b[n] * second(k, j);
       }
-      continue;
+    } else {
+      for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) *= a[basis.mode(k)];
     }
-    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) = a[basis.mode(k)] * first(k, j);
     if (third.size() == 0) continue;
     for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += c[basis.mode(k)] * third(k, j);
-    if (second.size() == 0) continue;
-    for (Eigen::Index k = 0; k < sum.rows(); ++k) sum(k, j) += b[basis.mode(k)] * second(k, j);
   }
   return sum;
 }
@@ -60,9 +59,17 @@ ModalPropagator ModalPropagator::then(const ModalPropagator& other) const {
 
 ModalState ModalPropagator::advance(const ModalBasis& basis, const ModalState& state,
                                     const Spectrum& force, bool velocities) const {
-  const Spectrum &q = state.displacement, &v = state.velocity;
-  ModalState result = {combination(basis, qq_, q, qv_, v, qf_, force), {}};
-  if (velocities) result.velocity = combination(basis, vq_, q, vv_, v, vf_, force);
+  return advance(basis, state.displacement, state.velocity, force, velocities);
+}
+
+ModalState ModalPropagator::advance(const ModalBasis& basis, Spectrum displacement,
+                                    const Spectrum& velocity, const Spectrum& force,
+                                    bool velocities) const {
+  ModalState result;
+  if (velocities) {
+    result.velocity = combination(basis, vq_, displacement, vv_, velocity, vf_, force);
+  }
+  result.displacement = combination(basis, qq_, std::move(displacement), qv_, velocity, qf_, force);
   return result;
 }
 

@@ -26,6 +26,9 @@ class ModalPropagator {
   /// force or velocity is zero.
   ModalState advance(const ModalBasis& basis, const ModalState& state, const Spectrum& force,
                      bool velocities) const;
+  /// The same, in the memory of the displacement.
+  ModalState advance(const ModalBasis& basis, Spectrum displacement, const Spectrum& velocity,
+                     const Spectrum& force, bool velocities) const;
 
  private:
   Eigen::ArrayXd qq_, qv_, vq_, vv_, qf_, vf_;

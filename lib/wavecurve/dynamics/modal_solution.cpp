@@ -41,8 +41,11 @@ class ModalFlow {
   /// To be called for j = 0, 1, ... in order.
   ModalState at(Eigen::Index j) {
     if (small_.empty()) {
-      return ModalPropagator(basis_.modes(), times_[j])
-          .advance(basis_, state_, force_, velocities_);
+      const ModalPropagator propagator(basis_.modes(), times_[j]);
+      const bool is_last = j + 1 == times_.size();  // the start is not needed any more
+      if (!is_last) return propagator.advance(basis_, state_, force_, velocities_);
+      return propagator.advance(basis_, std::move(state_.displacement), state_.velocity, force_,
+                                velocities_);
     }
     if (j > 0 && j % block_ == 0) state_ = large_.advance(basis_, state_, force_, true);
     return small_[static_cast<std::size_t>(j % block_)].advance(basis_, state_, force_,
