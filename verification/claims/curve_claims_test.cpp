@@ -29,9 +29,9 @@ void expect_full(const Table& table) {
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.caption;
 }
 
-TEST(Figure2, HoldsAndShowsTwoGroupsOfFive) {
+TEST(Figure2, StandsInAndShowsTwoGroupsOfFive) {
   const Outcome outcome = outcome_of("figure-2");
-  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.summary;
+  EXPECT_EQ(outcome.verdict, Verdict::stand_in) << outcome.summary;
   const Picture picture = std::get<Picture>(outcome.evidence.at(0));
   EXPECT_EQ(count(picture.svg, "stroke=\"black\""), 10u);
   for (const char* label : {"(0) 1024", "(3) 128", "(4) 64", "(5) 32", "(6) 16"}) {

@@ -174,14 +174,15 @@ Outcome evaluate() {
     return percent(values[static_cast<std::size_t>(k)]);
   };
   Outcome outcome;
-  outcome.verdict = similar && ordered ? Verdict::holds : Verdict::does_not_hold;
+  outcome.verdict = similar && ordered ? Verdict::stand_in : Verdict::does_not_hold;
   outcome.own_value = fmt::format(
       "from 16 of 1024: RMS {} (spline), {} (D8), {} (Fourier); levels 1 and 2 within {}",
       at(a.rms, 6), at(b.rms, 6), at(fourier.rms, 6), percent(omitted));
   outcome.summary = fmt::format(
       "Levels 1 and 2, which the figure omits as similar to the original, deviate by at most {} of "
       "the diagonal of the bounding box (Hausdorff), {} half of the drawn line's width. Level 6 "
-      "deviates by {} (spline) and {} (D8). The digit is the project's own.",
+      "deviates by {} (spline) and {} (D8). The publication's digit is lost; this one is the "
+      "project's own.",
       percent(omitted), similar ? "less than" : "more than", at(a.hausdorff, 6),
       at(b.hausdorff, 6));
   outcome.evidence = {figure, all_families(digit)};
