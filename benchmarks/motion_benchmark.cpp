@@ -1,13 +1,21 @@
-// Frames of a morph, correspondence and crossings, each with its plain peer beside it.
+// Frames of a morph, correspondence and crossings, each with its plain peer beside it; and whole
+// morphs of real drawings, with their crossings and sizes.
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <numeric>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
 #include "wavecurve/curves/correspondence.hpp"
 #include "wavecurve/curves/crossings.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/lottie.hpp"
+#include "wavecurve/io/read_drawing.hpp"
+#include "wavecurve/motion/avoid_crossings.hpp"
 #include "wavecurve/motion/contour_morph.hpp"
+#include "wavecurve/motion/make_morph.hpp"
 
 namespace wavecurve {
 namespace {
@@ -70,6 +78,56 @@ void plain_crossings(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(plain::count_crossings(contour));
 }
 BENCHMARK(plain_crossings)->Arg(1024)->Unit(benchmark::kMicrosecond);
+
+/// From two files to the text of a Lottie file, as `wavecurve morph --detail stage --scale K`.
+/// Counters: layers; bytes; proper crossings in nine intermediate frames, all layers together.
+void morph_to_lottie(benchmark::State& state, const std::string& source,
+                     const std::string& destination, Index scale) {
+  MorphOptions options{.bank = find_filter_bank("bspline4.4"), .samples = 1024, .scale = scale};
+  options.detail = Detail::stage;
+  std::string lottie;
+  Morph morph;
+  for (auto _ : state) {
+    morph = make_morph(io::read_drawing(source).drawing, io::read_drawing(destination).drawing,
+                       options);
+    lottie = io::lottie(animate(morph), {});
+  }
+  Index total = 0;
+  for (const MorphLayer& layer : morph.layers) {
+    const auto counts = crossings(morph, layer, {.1, .2, .3, .4, .5, .6, .7, .8, .9});
+    total = std::accumulate(counts.begin(), counts.end(), total);
+  }
+  state.counters["layers"] = static_cast<double>(morph.layers.size());
+  state.counters["bytes"] = static_cast<double>(lottie.size());
+  state.counters["crossings"] = static_cast<double>(total);
+}
+
+void register_pair(const std::string& name, const std::filesystem::path& source,
+                   const std::filesystem::path& destination) {
+  if (!exists(source) || !exists(destination)) return;
+  for (const Index scale : {1024, 64, 16}) {
+    benchmark::RegisterBenchmark(("morph_to_lottie/" + name + "/" + std::to_string(scale)).c_str(),
+                                 morph_to_lottie, source.string(), destination.string(), scale)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+/// The shipped faces, and the shared drawings where they are beside the source.
+const bool registered = [] {
+  const std::filesystem::path root = WAVECURVE_SOURCE_DIR, examples = root / "docs/examples",
+                              shared = root / "../shared/data";
+  register_pair("face-dog-cat", examples / "face-dog.svg", examples / "face-cat.svg");
+  for (const char* face : {"bear_koala", "dog_cat_side", "fx_dog_cat_side", "neutral_frown",
+                           "openmouth_grin", "smile_frown"}) {
+    const std::string stem = face;
+    register_pair(stem, shared / "faces" / (stem + "_A.svg"), shared / "faces" / (stem + "_B.svg"));
+  }
+  for (const auto& [a, b] : {std::pair{"dog", "horse"}, {"camel", "elephant"}, {"fish", "bird"}}) {
+    register_pair(std::string(a) + "-" + b, shared / "silhouettes" / (std::string(a) + "-1.svg"),
+                  shared / "silhouettes" / (std::string(b) + "-1.svg"));
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace wavecurve

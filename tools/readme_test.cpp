@@ -46,9 +46,11 @@ using Readme = ProgramTest;
 
 TEST_F(Readme, ShowsWhatTheProgramPrints) {
   const std::filesystem::path source = WAVECURVE_SOURCE_DIR;
-  std::filesystem::create_symlink(source / "verification", folder_ / "verification");
+  for (const char* shown : {"verification", "docs"}) {
+    std::filesystem::create_symlink(source / shown, folder_ / shown);
+  }
   const auto examples = examples_of(io::read_file(source / "README.md"));
-  ASSERT_GE(examples.size(), 7U);
+  ASSERT_GE(examples.size(), 14U);
   const std::string bin = std::filesystem::path(WAVECURVE_PROGRAM).parent_path().string();
   for (const auto& [command, shown] : examples) {
     const ProgramRun result = run("cd '" + folder_.string() + "' && PATH='" + bin +

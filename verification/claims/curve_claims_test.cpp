@@ -1,32 +1,18 @@
 // The claims about curves: their verdicts, and that their tables and pictures are whole.
-#include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <variant>
 
 #include <gtest/gtest.h>
 
-#include "claim.hpp"
+#include "claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {
-
-Outcome outcome_of(const std::string& id) {
-  for (const Claim& claim : claims()) {
-    if (claim.id == id) return claim.evaluate();
-  }
-  throw std::out_of_range(id);
-}
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
-}
-
-void expect_full(const Table& table) {
-  EXPECT_FALSE(table.rows.empty()) << table.caption;
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.caption;
 }
 
 TEST(Figure2, StandsInAndShowsTwoGroupsOfFive) {

@@ -1,26 +1,13 @@
 // The claims about morphing: their verdicts, and that their tables and pictures are whole.
-#include <stdexcept>
 #include <string>
 #include <variant>
 
 #include <gtest/gtest.h>
 
-#include "claim.hpp"
+#include "claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {
-
-Outcome outcome_of(const std::string& id) {
-  for (const Claim& claim : claims()) {
-    if (claim.id == id) return claim.evaluate();
-  }
-  throw std::out_of_range(id);
-}
-
-void expect_full(const Table& table) {
-  EXPECT_FALSE(table.rows.empty()) << table.caption;
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.caption;
-}
 
 TEST(Figure4, ShowsTwelveFramesOfAllLayers) {
   const Outcome outcome = outcome_of("figure-4");

@@ -1,5 +1,4 @@
 // The claims about K and M: their verdicts, and cells that are known from elsewhere.
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -8,17 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "claim.hpp"
+#include "claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {
-
-Outcome outcome_of(const std::string& id) {
-  for (const Claim& claim : claims()) {
-    if (claim.id == id) return claim.evaluate();
-  }
-  throw std::out_of_range(id);
-}
 
 std::vector<Table> tables_of(const Outcome& outcome) {
   std::vector<Table> tables;

@@ -1,20 +1,10 @@
-#include <algorithm>
-#include <stdexcept>
-#include <string_view>
 
 #include <gtest/gtest.h>
 
-#include "claim.hpp"
+#include "claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {
-
-Outcome outcome_of(std::string_view id) {
-  const auto found = std::find_if(claims().begin(), claims().end(),
-                                  [id](const Claim& claim) { return claim.id == id; });
-  if (found == claims().end()) throw std::invalid_argument("no such claim");
-  return found->evaluate();
-}
 
 TEST(TableClaims, Table1IsCertified) {
   const Outcome outcome = outcome_of("table-1");

@@ -1,14 +1,20 @@
 #include "wavecurve/io/read_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 namespace wavecurve::io {
 
-std::string read_file(const std::filesystem::path& path) {
+namespace {
+
+constexpr std::size_t largest_step = std::size_t{1} << 20;
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path, std::size_t bound) {
   if (std::filesystem::is_directory(path)) {
     throw std::invalid_argument("cannot read " + path.string() + ": it is a directory");
   }
@@ -18,7 +24,17 @@ std::string read_file(const std::filesystem::path& path) {
     throw std::invalid_argument("cannot read " + path.string() + ": " +
                                 std::generic_category().message(errno));
   }
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string bytes;
+  while (file && bytes.size() <= bound) {
+    const std::size_t size = bytes.size(), step = std::min(bound + 1 - size, largest_step);
+    bytes.resize(size + step);
+    file.read(bytes.data() + size, static_cast<std::streamsize>(step));
+    bytes.resize(size + static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file && !file.eof()) {
+    throw std::system_error(errno, std::generic_category(), "cannot read " + path.string());
+  }
+  return bytes;
 }
 
 }  // namespace wavecurve::io
