@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/dynamics/oscillator.hpp"
-#include "wavecurve/dynamics/solver_test_problem.hpp"
+#include "wavecurve/dynamics/problem_test.hpp"
 #include "wavecurve/dynamics/spectral.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"

@@ -9,7 +9,7 @@
 
 #include "wavecurve/dynamics/decoupled.hpp"
 #include "wavecurve/dynamics/oscillator.hpp"
-#include "wavecurve/dynamics/solver_test_problem.hpp"
+#include "wavecurve/dynamics/problem_test.hpp"
 #include "wavecurve/dynamics/spectral.hpp"
 
 namespace wavecurve {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/dynamics/solver_test_problem.hpp"
+#include "wavecurve/dynamics/problem_test.hpp"
 #include "wavecurve/dynamics/spectral.hpp"
 
 namespace wavecurve {

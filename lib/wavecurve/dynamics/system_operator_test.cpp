@@ -6,8 +6,8 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "wavecurve/dynamics/problem_test.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/solver_test_problem.hpp"
 #include "wavecurve/dynamics/spectral.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 

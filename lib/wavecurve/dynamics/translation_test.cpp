@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/dynamics/solver_test_problem.hpp"
+#include "wavecurve/dynamics/problem_test.hpp"
 
 namespace wavecurve {
 namespace {
