@@ -27,10 +27,10 @@ struct ChosenMorph {
   std::vector<ScaleChoice> choices;  ///< one a layer
 };
 
-/// For each layer the finest scale, from its own on, that has no crossing at the times, of the first
-/// of the alternatives where one has none; failing that, the fewest crossings, so never more than
-/// the first alternative has as it is. The alternatives are morphs of the same layers in the same
-/// order with different correspondences.
+/// For each layer the finest scale, from its own on, that has no crossing at the times, of the
+/// first of the alternatives where one has none; failing that, the fewest crossings, so never more
+/// than the first alternative has as it is. The alternatives are morphs of the same layers in the
+/// same order with different correspondences.
 ///
 /// With Detail::stage, details fade in frames that move already; where crossings are left, the
 /// share of the time that they take is halved, up to five times. With Detail::blend all scales give
