@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -23,27 +22,25 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-void for_each_layer(const Morph& morph, const std::function<void(const MorphLayer&)>& work) {
-  for (const MorphLayer& layer : morph.layers) {
-    try {
-      work(layer);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("layer '{}': {}", layer.id, error.what()));
-    }
-  }
-}
-
 /// Coarse coefficients of many points are those of few points times this: each level of (2.8)
 /// multiplies a constant by sqrt 2.
 double coarse_factor(Index samples, Index scale) {
   return std::sqrt(static_cast<double>(samples) / static_cast<double>(scale));
 }
 
+void check_scale(const Morph& morph, const MorphLayer& layer, Index samples) {
+  try {
+    const ContourMorph check(morph.bank, samples, morph.levels, layer.scale);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("layer '{}': {}", layer.id, error.what()));
+  }
+}
+
 /// Of the control points, released at rest, times not yet set.
 InitialValueProblem released(const Morph& morph, const MorphLayer& layer, const ContourPair& pair,
                              const Material& material) {
   const Index samples = pair.source.rows(), scale = layer.scale;
-  const ContourMorph check(morph.bank, samples, morph.levels, scale);
+  check_scale(morph, layer, samples);
   int levels = morph.levels;
   for (Index size = scale; size < samples; size *= 2) --levels;
   const Eigen::MatrixXd displacement =
@@ -171,12 +168,12 @@ double settling_time(const Morph& morph, const Material& material) {
   check_settles(material);
   std::vector<Remainder> contours;
   double swing = 0;
-  for_each_layer(morph, [&](const MorphLayer& layer) {
+  for (const MorphLayer& layer : morph.layers) {
     for (const ContourPair& pair : layer.contours) {
       contours.emplace_back(released(morph, layer, pair, material));
       swing = std::max(swing, contours.back().swing());
     }
-  });
+  }
   const double distance = settled_share * std::max(morph.view_box.width, morph.view_box.height);
   const auto is_settled = [&](double time) {
     return std::all_of(contours.begin(), contours.end(), [&](Remainder& contour) {
@@ -203,7 +200,7 @@ Animation physical_animation(const Morph& morph, const PhysicalOptions& options)
   check(morph, options);
   const double until = options.until ? *options.until : settling_time(morph, options.material);
   Animation animation{morph.view_box, morph.duration, {}};
-  for_each_layer(morph, [&](const MorphLayer& layer) {
+  for (const MorphLayer& layer : morph.layers) {
     std::vector<OutlineKey> keys(static_cast<std::size_t>(options.frames));
     const VectorXd times = VectorXd::LinSpaced(options.frames, 0, morph.duration);
     for (Index i = 0; i < times.size(); ++i) keys[static_cast<std::size_t>(i)].time = times[i];
@@ -212,7 +209,7 @@ Animation physical_animation(const Morph& morph, const PhysicalOptions& options)
       append_contour(keys, morph, layer, pair, solve(problem, options, until));
     }
     animation.layers.push_back({layer.id, std::move(keys), layer.paint});
-  });
+  }
   return animation;
 }
 
