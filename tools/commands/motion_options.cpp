@@ -21,9 +21,11 @@ void MotionOptions::add_to(CLI::App* command) {
       command->add_option("--stiffness", material.stiffness, "Of physical motion, e_0"),
       command->add_option("--bending", material.bending, "Stiffness against bending"),
       command->add_option("--density", material.density, "Mass, rho"),
-      command->add_option("--damping", damping_, "Of mass and stiffness, s1,s2")
+      command
+          ->add_option("--damping", damping_,
+                       "s1,s2 of mass and stiffness, then of neither: density 0 needs that")
           ->delimiter(',')
-          ->expected(2),
+          ->expected(2, 3),
       command->add_option("--force", force_, "Gravity gx,gy: the drawing is thrown, and arrives")
           ->delimiter(',')
           ->expected(2),
@@ -50,6 +52,7 @@ PhysicalOptions MotionOptions::physical(int frames) const {
   options.frames = frames;
   options.material.mass_damping = damping_[0];
   options.material.stiffness_damping = damping_[1];
+  if (damping_.size() > 2) options.material.damping_density = damping_[2];
   options.force << force_[0], force_[1];
   if (until_ == "settled") return options;
   double until = 0;

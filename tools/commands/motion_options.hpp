@@ -23,7 +23,8 @@ class MotionOptions {
  private:
   std::string motion_ = "linear", until_ = "settled";
   PhysicalOptions options_;
-  std::vector<double> damping_, force_;
+  std::vector<double> damping_;  ///< mass, stiffness and maybe density
+  std::vector<double> force_;
   std::vector<CLI::Option*> of_physical_;
 };
 
