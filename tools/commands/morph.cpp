@@ -21,6 +21,7 @@
 
 #include "commands.hpp"
 #include "crossings_table.hpp"
+#include "motion_options.hpp"
 #include "progress.hpp"
 
 namespace wavecurve::tools {
@@ -40,6 +41,7 @@ struct Options {
   std::string source, destination, output, filter = "bspline4.4", scale = "full";
   std::vector<std::string> map, starts;
   MorphOptions morph;
+  MotionOptions motion;
   Ease ease = Ease::linear;
   Crossings crossings = Crossings::ignored;
   std::optional<Detail> detail;
@@ -131,11 +133,14 @@ void write(const Options& options, int frames, const Morph& morph) {
   output.progress = [&](int done, int all) {
     progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   };
-  // Only a morph in even time can be rescaled by the viewer of a page.
-  if (options.ease == Ease::linear && !options.sheet) {
+  const bool is_physical = options.motion.is_physical();
+  // Only a linear morph in even time can be rescaled by the viewer of a page.
+  if (!is_physical && options.ease == Ease::linear && !options.sheet) {
     return io::write_animation(options.output, morph, output);
   }
-  const Animation animation = eased(animate(morph), options.ease, frames);
+  const Animation in_even_time =
+      is_physical ? physical_animation(morph, options.motion.physical(frames)) : animate(morph);
+  const Animation animation = eased(in_even_time, options.ease, frames);
   if (options.sheet) {
     return io::write_file(options.output, io::animation_sheet(animation, output));
   }
@@ -155,6 +160,10 @@ void check(const Options& options, int frames) {
   }
   if (options.sheet && !options.output.ends_with(".svg")) {
     throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
+  }
+  options.motion.check();
+  if (options.motion.is_physical() && options.crossings != Crossings::ignored) {
+    throw std::invalid_argument("--crossings takes --motion linear, not physical");
   }
 }
 
@@ -216,6 +225,7 @@ void add_morph_command(CLI::App& app, ExitCode&) {
              "What is finer than the scale: drop, blend, stage; blend, to avoid crossings stage");
   add_choice(command, "--ease", options->ease, eases,
              "How time passes: linear (default), in, out, in-out");
+  options->motion.add_to(command);
   command->add_option("--duration", options->morph.duration, "Seconds")->capture_default_str();
   command->add_flag("--loop", options->loop, "There and back, for ever");
   command->add_option("--map", options->map, "Layers that become each other, a=b")

@@ -73,6 +73,51 @@ TEST_F(MorphCommand, TakesAMapAndAStart) {
   EXPECT_NE(bytes("--detail stage --scale 8"), plain);
 }
 
+TEST_F(MorphCommand, MovesPhysically) {
+  const auto bytes = [&](const std::string& options) {
+    const ProgramRun run = wavecurve("morph a.svg b.svg --samples 64 " + options + " -o out.json");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out + run.err, "");
+    return io::read_file(folder_ / "out.json");
+  };
+  const std::string plain = bytes("--motion physical");
+  EXPECT_EQ(bytes("--motion physical"), plain);
+  EXPECT_EQ(bytes("--motion physical --damping 0,0.1 --until settled --solver spectral"), plain);
+  for (const std::string option :
+       {"--stiffness 2", "--bending 0.01", "--density 3", "--damping 1,0.1", "--force 0,-3",
+        "--until 1.5", "--solver decoupled", "--scale 8", "--frames 12", "--ease out", "--loop",
+        "--density 0 --damping 0,0,9 --scale 8 --solver massless-crank-nicolson"}) {
+    EXPECT_NE(bytes("--motion physical " + option), plain) << option;
+  }
+  EXPECT_EQ(bytes("--motion linear"), bytes(""));
+  for (const std::string name : {"out.svg", "out.html"}) {
+    EXPECT_EQ(wavecurve("morph a.svg b.svg --motion physical --samples 64 -o " + name).exit_code,
+              0);
+    EXPECT_TRUE(is_there(name));
+  }
+}
+
+TEST_F(MorphCommand, RefusesBadMotion) {
+  const std::string morph = "morph a.svg b.svg --samples 64 -o out.json ";
+  expect_refusal(morph + "--motion sideways", "sideways");
+  expect_refusal(morph + "--stiffness 2", "--stiffness takes --motion physical");
+  const std::string physical = morph + "--motion physical ";
+  expect_refusal(physical + "--crossings report", "--crossings takes --motion linear");
+  expect_refusal(physical + "--stiffness -1", "stiffness is -1");
+  expect_refusal(physical + "--bending nan", "bending is nan");
+  expect_refusal(physical + "--density -2", "density is -2");
+  expect_refusal(physical + "--density 0", "damping density above 0");
+  expect_refusal(physical + "--damping 0,0", "damping is 0");
+  expect_refusal(physical + "--damping 1", "--damping");
+  expect_refusal(physical + "--force 1,inf", "force is 1, inf");
+  expect_refusal(physical + "--until never", "'never'");
+  expect_refusal(physical + "--until 0", "until is 0");
+  expect_refusal(physical + "--solver magic", "must be one of spectral, decoupled");
+  expect_refusal(physical + "--solver massless", "density is 1, but must be 0");
+  expect_refusal(physical + "--scale 3", "scale is 3");
+  EXPECT_FALSE(is_there("out.json"));
+}
+
 TEST_F(MorphCommand, RefusesBadInput) {
   io::write_file(folder_ / "empty.svg", "");
   expect_refusal("morph empty.svg b.svg -o out.json", "empty.svg");

@@ -18,6 +18,20 @@ TEST(Figure4, ShowsTwelveFramesOfAllLayers) {
   expect_full(picture.data);
 }
 
+TEST(Figure5, SetsPhysicalMotionsBesideTheLinearOne) {
+  const Outcome outcome = outcome_of("figure-5");
+  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  const Picture picture = std::get<Picture>(outcome.evidence.at(0));
+  EXPECT_NE(picture.svg.find("12 frames"), std::string::npos);
+  EXPECT_LT(picture.svg.size(), 2000000u);
+  expect_full(picture.data);
+  ASSERT_EQ(picture.data.rows.size(), 4u);
+  // The linear one never swings over; the lively one does, and has settled.
+  EXPECT_EQ(picture.data.rows.at(0).at(5), "0");
+  EXPECT_GT(std::stod(picture.data.rows.at(1).at(5)), 0.1);
+  EXPECT_LE(std::stod(picture.data.rows.at(1).at(7)), 0.002);
+}
+
 TEST(CrossingsClaim, DoesNotHoldWithoutCondition) {
   const Outcome outcome = outcome_of("crossings");
   EXPECT_EQ(outcome.verdict, Verdict::does_not_hold) << outcome.own_value;

@@ -1,0 +1,68 @@
+#include "motion_options.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace wavecurve::tools {
+
+void MotionOptions::add_to(CLI::App* command) {
+  command
+      ->add_option("--motion", motion_,
+                   "linear, or physical: the source as an elastic curve at rest as the destination")
+      ->check(CLI::IsMember({"linear", "physical"}).description(""))
+      ->capture_default_str();
+  Material& material = options_.material;
+  const Material& lively = lively_material;
+  damping_ = {lively.mass_damping, lively.stiffness_damping};
+  force_ = {0, 0};
+  of_physical_ = {
+      command->add_option("--stiffness", material.stiffness, "Of physical motion, e_0"),
+      command->add_option("--bending", material.bending, "Stiffness against bending"),
+      command->add_option("--density", material.density, "Mass, rho"),
+      command
+          ->add_option("--damping", damping_,
+                       "s1,s2 of mass and stiffness, then of neither: density 0 needs that")
+          ->delimiter(',')
+          ->expected(2, 3),
+      command->add_option("--force", force_, "Gravity gx,gy: the drawing is thrown, and arrives")
+          ->delimiter(',')
+          ->expected(2),
+      command->add_option("--until", until_,
+                          "Length of the motion, in units in which the slowest mode of e_0 = rho "
+                          "swings once; or settled"),
+      command->add_option("--solver", options_.solver,
+                          "spectral, decoupled, coupled, ...; a wrong one lists them"),
+  };
+  for (CLI::Option* option : of_physical_) option->capture_default_str();
+}
+
+void MotionOptions::check() const {
+  if (is_physical()) return;
+  for (const CLI::Option* option : of_physical_) {
+    if (option->count() == 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{} takes --motion physical, not linear", option->get_name()));
+  }
+}
+
+PhysicalOptions MotionOptions::physical(int frames) const {
+  PhysicalOptions options = options_;
+  options.frames = frames;
+  options.material.mass_damping = damping_[0];
+  options.material.stiffness_damping = damping_[1];
+  if (damping_.size() > 2) options.material.damping_density = damping_[2];
+  options.force << force_[0], force_[1];
+  if (until_ == "settled") return options;
+  double until = 0;
+  const auto [end, error] = std::from_chars(until_.data(), until_.data() + until_.size(), until);
+  if (error != std::errc() || end != until_.data() + until_.size()) {
+    throw std::invalid_argument(
+        fmt::format("--until takes a number of units of time or settled, not '{}'", until_));
+  }
+  options.until = until;
+  return options;
+}
+
+}  // namespace wavecurve::tools
