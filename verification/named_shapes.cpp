@@ -71,6 +71,14 @@ Contour named_shape(std::string_view name, Index samples) {
                   fmt::join(shape_names(), ", ")));
 }
 
+Contour deformed_hoop(Index samples) {
+  return traced(samples, [](double x) -> Point {
+    const double w = 0.12 * std::cos(10 * std::numbers::pi * x);
+    return on_circle(x).cwiseProduct(Point(1.3 + w, 0.65 + w)) +
+           Point(0, 0.3 * std::cos(4 * std::numbers::pi * x));
+  });
+}
+
 Contour fitted_to_circle(const Contour& contour) {
   const Index samples = contour.rows();
   Contour centred = contour.rowwise() - contour.colwise().mean();

@@ -23,6 +23,10 @@ const std::vector<std::string>& shape_names();
 /// Throws std::invalid_argument for an unknown name, naming those there are.
 Contour named_shape(std::string_view name, Eigen::Index samples);
 
+/// A hoop of mean 0 out of shape, for the publication's, which are lost:
+/// ((1.3 + w) cos theta, (0.65 + w) sin theta + 0.3 cos 2 theta), w = 0.12 cos 5 theta.
+Contour deformed_hoop(Eigen::Index samples);
+
 /// Any other contour, made comparable: mean 0, root mean square radius 1, and of all its points
 /// that one first which makes it nearest to the circle. Throws std::invalid_argument if all points
 /// coincide.
