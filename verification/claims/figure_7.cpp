@@ -72,7 +72,7 @@ FrameRow frames(const InitialValueProblem& full, const Trajectory& motion, Index
 }
 
 Outcome evaluate() {
-  const VectorXd times = VectorXd::LinSpaced(7, 0, 0.6);
+  const VectorXd times = VectorXd::LinSpaced(7, 0, 0.3);
   const InitialValueProblem full = released(system_of(samples), deformed_hoop(samples), times);
   const Trajectory exact = solve_spectral(full);
   Table table{
@@ -101,10 +101,10 @@ Outcome evaluate() {
                           std::to_string(operations.back())});
   }
   std::vector<std::string> titles;
-  for (const double t : times) titles.push_back(fmt::format("t = {:.1f}", t));
+  for (const double t : times) titles.push_back(fmt::format("t = {:.2f}", t));
   Picture picture{"figure-7", frame_grid(rows, titles, unit_circle(samples)),
                   "Five rows of seven frames of a deformed hoop after its release, from 4, 8, 16, "
-                  "32 and all control points: with 4 a rounded shape, with 16 hardly to be told "
+                  "32 and all control points: with 4 a rounded shape, with 32 hardly to be told "
                   "from the last row.",
                   table};
   Outcome outcome;
