@@ -40,7 +40,7 @@ std::vector<std::optional<double>> sweep(const NamedSolver& solver);
 
 /// All points of all solvers. What a solver throws becomes its point's failure. progress is called
 /// after each point with the number done and the number of all. Throws std::invalid_argument for an
-/// unknown solver, before anything is computed.
+/// unknown solver or a shape that is the circle, before anything is computed.
 std::vector<StudyPoint> run_study(const Study& study,
                                   const std::function<void(std::size_t, std::size_t)>& progress);
 

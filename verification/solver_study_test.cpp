@@ -66,5 +66,11 @@ TEST(SolverStudy, ReportsProgressAndRefusesUnknownSolversFirst) {
                std::invalid_argument);
 }
 
+TEST(SolverStudy, RefusesAShapeAtRest) {
+  Study study = study_of({"spectral"});
+  study.shape = fitted_to_circle(3 * unit_circle(64));
+  EXPECT_THROW(run_study(study, [](std::size_t, std::size_t) {}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace wavecurve::verification
