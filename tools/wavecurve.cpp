@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   add_morph_command(app, exit_code);
   add_describe_command(app, exit_code);
   add_reconstruct_command(app, exit_code);
+  add_compare_command(app, exit_code);
   add_verify_command(app, exit_code);
   try {
     app.parse(argc, argv);
