@@ -33,10 +33,11 @@ struct FirstOrderSystem {
 FirstOrderSystem first_order_system(const MatrixXd& stiffness, const Material& material) {
   const auto n = stiffness.rows();
   const MatrixXd identity = MatrixXd::Identity(n, n);
-  const MatrixXd damping = material.s1 * material.rho * identity + material.s2 * stiffness;
+  const MatrixXd damping =
+      material.mass_damping * material.density * identity + material.stiffness_damping * stiffness;
   MatrixXd blocks(2 * n, 2 * n);
   blocks << MatrixXd::Zero(n, n), identity, -stiffness, -damping;
-  FirstOrderSystem system{blocks / material.rho, blocks / material.rho};
+  FirstOrderSystem system{blocks / material.density, blocks / material.density};
   system.corrected.topRightCorner(n, n) = identity;
   return system;
 }
@@ -73,7 +74,7 @@ struct Comparison {
 };
 
 Comparison compare_at(double rho) {
-  const Material material{rho, 1.0, 0.001};
+  const Material material{.density = rho, .mass_damping = 1.0, .stiffness_damping = 0.001};
   const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
   const int steps = 50;
   const VectorXd start = start_shape();

@@ -11,11 +11,11 @@
 
 #include <fmt/core.h>
 
+#include "wavecurve/dynamics/lagrange_system.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
 #include "claim.hpp"
-#include "free_motion.hpp"
 
 namespace wavecurve::verification {
 
@@ -64,8 +64,9 @@ double residual_of_functions(const Quadratic& truth) {
 
 /// The decoupled equation of a diagonal entry k of K, with the damping of (3.5).
 Quadratic decoupled_equation(double k) {
-  const Material material{2.0, 1.0, 0.001};
-  return {material.rho, material.s1 * material.rho + material.s2 * k, k};
+  const Material material{.density = 2.0, .mass_damping = 1.0, .stiffness_damping = 0.001};
+  return {material.density,
+          material.mass_damping * material.density + material.stiffness_damping * k, k};
 }
 
 Outcome evaluate() {

@@ -75,7 +75,7 @@ std::string number(double value) {
 
 Outcome evaluate() {
   const MatrixXd stiffness = wavecurve::stiffness(find_filter_bank("db4"), samples, 0);
-  const Material undamped{1, 0, 0}, damped{1, 4 * std::numbers::pi, 0};
+  const Material undamped{}, damped{.mass_damping = 4 * std::numbers::pi};
   const VectorXd one_period = VectorXd::LinSpaced(4001, 0, 1);
   const VectorXd late = VectorXd::Constant(1, 10);
   Table table{
