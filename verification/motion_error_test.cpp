@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/dynamics/spectral.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -48,6 +49,50 @@ TEST(MotionError, IsTheNormOfTheCurveAndNotOfItsCoefficients) {
   const double unit = std::sqrt((u.transpose() * form * u).trace());
   EXPECT_NEAR(displacement_errors(problem, other, exact)[2], std::sqrt(form(17, 17)) / unit,
               rounding);
+}
+
+TEST(MotionError, MaximumIsOfPointsAndVelocityOfTheLargest) {
+  const InitialValueProblem problem = problem_of("db4");
+  const Trajectory exact = solve_spectral(problem);
+  Trajectory other = exact;
+  for (Eigen::MatrixXd& q : other.displacement) q += 0.5 * problem.displacement;
+  for (Eigen::MatrixXd& v : other.velocity) v *= 3;
+  const Eigen::VectorXd maximum = maximum_errors(problem, other, exact);
+  const Eigen::VectorXd velocity = velocity_errors(problem, other, exact);
+  EXPECT_LT((maximum.array() - 0.5).abs().maxCoeff(), rounding);
+  EXPECT_NEAR(velocity.maxCoeff(), 2, rounding);
+  EXPECT_EQ(velocity[0], 0);  // released at rest
+  // One point moved by a tenth, in samples.
+  Contour moved = Contour::Zero(32, 2);
+  moved.row(7) << 0.06, 0.08;
+  other.displacement[3] =
+      exact.displacement[3] + Eigen::MatrixXd(to_coefficients(problem.system.bank(), moved, 5));
+  // The ellipse's points are 0.4 from the circle's, all of them.
+  EXPECT_NEAR(maximum_errors(problem, other, exact)[3], 0.1 / 0.4, rounding);
+}
+
+TEST(MotionError, EnergyDriftIsChangeUndampedAndIncreaseDamped) {
+  for (const double s1 : {0.0, 2.0}) {
+    const InitialValueProblem problem = problem_of("bspline4.4", {1, 1, 0, s1, 0, 0});
+    Trajectory solution = solve_spectral(problem);
+    EXPECT_LT(energy_drift(problem, solution), 1e-10);
+    if (s1 == 0) {
+      EXPECT_LT((energies(problem, solution).array() - 1).abs().maxCoeff(), 1e-10);
+    }
+    // Less energy is a drift only where nothing takes it away.
+    solution.displacement[4] *= 0.5;
+    solution.velocity[4] *= 0.5;
+    if (s1 == 0) {
+      EXPECT_NEAR(energy_drift(problem, solution), 0.75, 1e-10);
+    } else {
+      EXPECT_LT(energy_drift(problem, solution), 1e-10);
+      solution.displacement[4] *= 20;
+      solution.velocity[4] *= 20;
+      const Eigen::VectorXd energy = energies(problem, solution);
+      EXPECT_NEAR(energy_drift(problem, solution), energy[4] - energy[3], rounding);
+      EXPECT_GT(energy[4], energy[3]);
+    }
+  }
 }
 
 }  // namespace
