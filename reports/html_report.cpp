@@ -3,7 +3,7 @@
 #include "escape.hpp"
 #include "formula.hpp"
 #include "html_evidence.hpp"
-#include "stylesheet.hpp"
+#include "html_head.hpp"
 #include "verdict_style.hpp"
 
 namespace wavecurve::reports {
@@ -20,14 +20,6 @@ std::string badge(Verdict verdict) {
   const VerdictStyle style = style_of(verdict);
   return "<span class=\"verdict " + std::string(style.tone) + "\"><span aria-hidden=\"true\">" +
          std::string(style.symbol) + "</span> " + std::string(to_string(verdict)) + "</span>";
-}
-
-std::string head() {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-         std::string(report_title) + "</title>\n<style>\n" + std::string(stylesheet()) +
-         "</style>\n</head>\n";
 }
 
 std::string header(const Report& report) {
@@ -117,7 +109,8 @@ std::string verdict_list() {
 }  // namespace
 
 std::string to_html(const Report& report, const Figures& figures) {
-  std::string html = head() + "<body>\n" + header(report) + "<main>\n" + summary(report) +
+  std::string html = html_head(report_title) + "<body>\n" + header(report) + "<main>\n" +
+                     summary(report) +
                      "<section id=\"evidence\" aria-labelledby=\"evidence-title\">\n"
                      "<h2 id=\"evidence-title\">Evidence, claim by claim</h2>\n";
   for (const ClaimResult& result : report.results) html += claim_section(result, figures);

@@ -1,25 +1,23 @@
 #include "solver_study.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/filters/find_filter_bank.hpp"
-
-#include "named_shapes.hpp"
+#include "wavecurve/io/write_file.hpp"
 
 namespace wavecurve::verification {
 namespace {
 
-Study study_of(std::vector<std::string> solvers) {
-  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {});
-  return {system, named_shape("ellipse", 64), std::move(solvers)};
+StudyPlan plan_of(std::vector<std::string> solvers, std::vector<StudySetting> settings = {{}}) {
+  return {std::move(settings), std::move(solvers)};
 }
 
 std::vector<StudyPoint> points_of(std::vector<std::string> solvers) {
-  return run_study(study_of(std::move(solvers)), [](std::size_t, std::size_t) {});
+  return run_study(plan_of(std::move(solvers)));
 }
 
 TEST(SolverStudy, SeparatesModelErrorFromIntegrationError) {
@@ -31,13 +29,24 @@ TEST(SolverStudy, SeparatesModelErrorFromIntegrationError) {
   EXPECT_GT(closed[1].errors->displacement_l2_max, 1.3);
   EXPECT_LT(closed[1].errors->displacement_l2_max, 1.9);
   EXPECT_LT(closed[2].errors->displacement_l2_max, closed[1].errors->displacement_l2_max);
+  ASSERT_EQ(closed[1].model_errors.size(), 41u);
+  EXPECT_EQ(closed[1].model_errors.back(), closed[1].errors->displacement_l2_final);
 
   const auto swept = points_of({"coupled"});
   ASSERT_GT(swept.size(), 3u);
   EXPECT_GT(swept.front().errors->energy_norm_max, swept.back().errors->energy_norm_max);
   for (const StudyPoint& point : swept) {
     EXPECT_TRUE(point.tolerance.has_value());
-    EXPECT_LE(point.errors->displacement_l2_final, point.errors->displacement_l2_max);
+    EXPECT_TRUE(point.model_errors.empty());
+    const StudyErrors& e = *point.errors;
+    for (const auto& [final, max] : {std::pair(e.displacement_l2_final, e.displacement_l2_max),
+                                     {e.maximum_norm_final, e.maximum_norm_max},
+                                     {e.velocity_l2_final, e.velocity_l2_max},
+                                     {e.energy_norm_final, e.energy_norm_max}}) {
+      EXPECT_GT(final, 0);
+      EXPECT_LE(final, max);
+    }
+    EXPECT_LT(e.energy_drift, 0.05);
     EXPECT_GT(point.cost.evaluations, 0);
     EXPECT_GT(point.seconds, 0);
   }
@@ -51,25 +60,75 @@ TEST(SolverStudy, KeepsFailedSolvesAsFailed) {
   EXPECT_EQ(points.back().failure, "");
 }
 
+TEST(SolverStudy, IsTheProductInOrderOnAllCores) {
+  StudySetting damped;
+  damped.stiffness_damping = 1;
+  const StudyPlan plan = plan_of({"block-decoupled", "implicit-ldlt"}, {{}, damped});
+  const auto points = run_study(plan), again = run_study(plan);
+  ASSERT_EQ(points.size(), 14u);
+  ASSERT_EQ(again.size(), 14u);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].setting, plan.settings[i / 7]);
+    EXPECT_EQ(points[i].solver, plan.solvers[i % 7 > 0]);
+    EXPECT_EQ(points[i].errors->energy_norm_max, again[i].errors->energy_norm_max);
+    EXPECT_EQ(points[i].cost.operations, again[i].cost.operations);
+  }
+  EXPECT_NE(points[0].fingerprint, points[7].fingerprint);
+}
+
 TEST(SolverStudy, ReportsProgressAndRefusesUnknownSolversFirst) {
   std::size_t last = 0, all = 0;
-  const auto points =
-      run_study(study_of({"spectral", "implicit-ldlt"}), [&](std::size_t done, std::size_t count) {
-        EXPECT_EQ(done, last + 1);
-        last = done;
-        all = count;
-      });
+  StudyHooks hooks;
+  hooks.progress = [&](std::size_t done, std::size_t count) {
+    EXPECT_EQ(done, last + 1);
+    last = done;
+    all = count;
+  };
+  const auto points = run_study(plan_of({"spectral", "implicit-ldlt"}), hooks);
   EXPECT_EQ(last, points.size());
   EXPECT_EQ(all, points.size());
-  EXPECT_THROW(run_study(study_of({"spectral", "magic"}),
-                         [](std::size_t, std::size_t) { FAIL() << "nothing to be computed"; }),
-               std::invalid_argument);
+  hooks.progress = [](std::size_t, std::size_t) { FAIL() << "nothing to be computed"; };
+  EXPECT_THROW(run_study(plan_of({"spectral", "magic"}), hooks), std::invalid_argument);
+}
+
+TEST(SolverStudy, TakesUpKnownPoints) {
+  const StudyPlan plan = plan_of({"decoupled", "implicit-ldlt"});
+  StudyHooks hooks;
+  hooks.known = run_study(plan);
+  for (StudyPoint& point : hooks.known) point.seconds = 1e6;  // known by its colour
+  hooks.known.erase(hooks.known.begin() + 2);
+  hooks.known[3].fingerprint = "another file of that name";
+  std::vector<StudyPoint> computed;
+  hooks.finished = [&](const StudyPoint& point) { computed.push_back(point); };
+  const auto points = run_study(plan, hooks);
+  ASSERT_EQ(points.size(), 7u);
+  EXPECT_EQ(computed.size(), 2u);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].seconds == 1e6, i != 2 && i != 4) << i;
+  }
+}
+
+TEST(SolverStudy, EndsWithWhatAHookThrows) {
+  StudyHooks hooks;
+  int calls = 0;
+  hooks.finished = [&](const StudyPoint&) {
+    ++calls;
+    throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(run_study(plan_of({"decoupled", "implicit-ldlt"}), hooks), std::runtime_error);
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(SolverStudy, RefusesAShapeAtRest) {
-  Study study = study_of({"spectral"});
-  study.shape = fitted_to_circle(3 * unit_circle(64));
-  EXPECT_THROW(run_study(study, [](std::size_t, std::size_t) {}), std::invalid_argument);
+  const auto file = std::filesystem::temp_directory_path() / "wavecurve_solver_study_test.svg";
+  io::write_file(file,
+                 R"(<svg xmlns="http://www.w3.org/2000/svg"><circle cx="5" cy="5" r="4"/></svg>)");
+  StudySetting setting;
+  setting.samples = 4;  // the corners of a square: exactly the circle's points
+  setting.levels = 2;
+  setting.shape = file.string();
+  EXPECT_THROW(run_study(plan_of({"spectral"}, {setting})), std::invalid_argument);
+  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -2,153 +2,119 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/write_file.hpp"
 
 #include "commands.hpp"
 #include "named_shapes.hpp"
 #include "number_format.hpp"
 #include "progress.hpp"
-#include "solver_study.hpp"
+#include "study_journal.hpp"
+#include "study_json.hpp"
+#include "study_text.hpp"
+#include "write_study.hpp"
 
 namespace wavecurve::tools {
 
 namespace {
 
-using verification::StudyPoint;
+using namespace verification;
 
 struct Options {
-  std::string filter = "db4", shape = "ellipse", format = "text", directory;
-  long samples = 64;
-  int levels = -1;  ///< -1: all
-  std::vector<double> damping = {0, 0};
+  std::vector<std::string> filters = {"db4"}, shapes = {"ellipse", "star", "dent"};
+  std::vector<long> samples = {64};
+  std::vector<int> levels;                              ///< empty: all of each size
+  std::vector<double> dampings = {0, 0, 0, 0.1, 0, 1};  ///< s1, s2 of each
   std::vector<std::string> solvers;  ///< empty: all that solve the equation with mass
+  std::string format = "text", directory;
 };
 
-Options completed(Options options) {
-  check_samples(options.samples);
-  if (options.levels < 0) options.levels = verification::all_levels(options.samples);
-  if (!options.solvers.empty()) return options;
-  for (const NamedSolver& solver : solvers()) {
-    if (!solver.is_massless) options.solvers.push_back(solver.name);
+/// Once each, in the order of the first.
+template <class T>
+void make_unique(std::vector<T>& list) {
+  std::vector<T> result;
+  for (const T& item : list) {
+    if (std::ranges::find(result, item) == result.end()) result.push_back(item);
   }
+  list = std::move(result);
+}
+
+Options completed(Options options) {
+  for (const long samples : options.samples) check_samples(samples);
+  if (options.dampings.size() % 2 != 0) {
+    throw std::invalid_argument(fmt::format("--damping has {} numbers, but must have pairs s1,s2",
+                                            options.dampings.size()));
+  }
+  if (options.solvers.empty()) {
+    for (const NamedSolver& solver : solvers()) {
+      if (!solver.is_massless) options.solvers.push_back(solver.name);
+    }
+  }
+  make_unique(options.solvers);
   return options;
 }
 
-std::vector<StudyPoint> points_of(const Options& options) {
-  Material material;
-  material.mass_damping = options.damping[0];
-  material.stiffness_damping = options.damping[1];
-  const verification::Study study{
-      {io::load_filter_bank(options.filter), options.samples, options.levels, material},
-      verification::shape_of(options.shape, options.samples),
-      options.solvers};
-  Progress progress("solvers");
-  return verification::run_study(
-      study, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
-}
-
-nlohmann::ordered_json point_json(const Options& options, const StudyPoint& point) {
-  nlohmann::ordered_json json = {{"solver", point.solver},     {"filter", options.filter},
-                                 {"samples", options.samples}, {"levels", options.levels},
-                                 {"shape", options.shape},     {"damping", options.damping}};
-  json["tolerance"] = nullptr;
-  if (point.tolerance) json["tolerance"] = *point.tolerance;
-  json["error"] = nullptr;
-  json["cost"] = nullptr;
-  if (point.errors) {
-    json["error"] = {{"displacement_l2_max", point.errors->displacement_l2_max},
-                     {"displacement_l2_final", point.errors->displacement_l2_final},
-                     {"energy_norm_max", point.errors->energy_norm_max}};
-    json["cost"] = {{"evaluations", point.cost.evaluations},
-                    {"operations", point.cost.operations},
-                    {"seconds", point.seconds}};
-  }
-  json["status"] = point.failure.empty() ? "ok" : "failed";
-  if (!point.failure.empty()) json["reason"] = point.failure;
-  return json;
-}
-
-std::string as_json(const Options& options, const std::vector<StudyPoint>& points) {
-  nlohmann::ordered_json json = {{"points", nlohmann::ordered_json::array()}};
-  for (const StudyPoint& point : points) json["points"].push_back(point_json(options, point));
-  return json.dump(2) + "\n";
-}
-
-/// A field between quotes, quotes within doubled (RFC 4180).
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
-std::string as_csv(const Options& options, const std::vector<StudyPoint>& points) {
-  std::string text =
-      "solver,filter,samples,levels,shape,s1,s2,tolerance,displacement_l2_max,"
-      "displacement_l2_final,energy_norm_max,evaluations,operations,seconds,status\n";
-  for (const StudyPoint& point : points) {
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},", point.solver, quoted(options.filter),
-                    options.samples, options.levels, quoted(options.shape), options.damping[0],
-                    options.damping[1], point.tolerance ? fmt::format("{}", *point.tolerance) : "");
-    text += point.errors
-                ? fmt::format("{},{},{},{},{},{},ok\n", point.errors->displacement_l2_max,
-                              point.errors->displacement_l2_final, point.errors->energy_norm_max,
-                              point.cost.evaluations, point.cost.operations, point.seconds)
-                : ",,,,,,failed\n";
-  }
-  return text;
-}
-
-std::string as_text(const Options& options, const std::vector<StudyPoint>& points) {
-  std::string text = fmt::format(
-      "{}, {} samples, {} levels; {} released at rest from t = 0 to 1, damping {}, {}\n"
-      "errors against the exact motion, relative to the initial state; of a closed form (no "
-      "tolerance)\nthey are those of its model, which no tolerance makes smaller\n\n"
-      "{:<24}  {:>9}  {:>9}  {:>9}  {:>9}  {:>11}  {:>10}  {:>9}\n",
-      options.filter, options.samples, options.levels, options.shape, options.damping[0],
-      options.damping[1], "solver", "tolerance", "L2 max", "L2 final", "energy", "evaluations",
-      "operations", "seconds");
-  for (const StudyPoint& point : points) {
-    text += fmt::format("{:<24}  {:>9}  ", point.solver,
-                        point.tolerance ? fmt::format("{:.3g}", *point.tolerance) : "-");
-    if (!point.errors) {
-      text += "failed: " + point.failure + "\n";
-      continue;
+StudyPlan plan_of(const Options& options) {
+  StudyPlan plan{{}, options.solvers};
+  for (const std::string& filter : options.filters) {
+    for (const long samples : options.samples) {
+      const auto levels =
+          options.levels.empty() ? std::vector<int>{all_levels(samples)} : options.levels;
+      for (const int level : levels) {
+        for (const std::string& shape : options.shapes) {
+          for (std::size_t i = 0; i < options.dampings.size(); i += 2) {
+            plan.settings.push_back(
+                {filter, samples, level, shape, options.dampings[i], options.dampings[i + 1]});
+          }
+        }
+      }
     }
-    text += fmt::format("{:>9.2e}  {:>9.2e}  {:>9.2e}  {:>11}  {:>10.3g}  {:>9.2e}\n",
-                        point.errors->displacement_l2_max, point.errors->displacement_l2_final,
-                        point.errors->energy_norm_max, point.cost.evaluations,
-                        static_cast<double>(point.cost.operations), point.seconds);
   }
-  return text;
+  make_unique(plan.settings);
+  return plan;
 }
 
-void write(const std::filesystem::path& directory, const Options& options,
-           const std::vector<StudyPoint>& points) {
+std::vector<StudyPoint> points_of(const Options& options) {
+  StudyHooks hooks;
+  std::optional<StudyJournal> journal;
+  if (!options.directory.empty()) {
+    journal.emplace(std::filesystem::path(options.directory) / "compare.points.jsonl");
+    hooks.known = journal->points();
+    hooks.finished = [&](const StudyPoint& point) { journal->append(point); };
+  }
+  Progress progress("points");
+  hooks.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  return run_study(plan_of(options), hooks);
+}
+
+void make_folder(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::system_error(error, "cannot make the folder " + directory.string());
-  io::write_file(directory / "compare.json", as_json(options, points));
-  io::write_file(directory / "compare.csv", as_csv(options, points));
 }
 
 void run(const Options& given) {
   const Options options = completed(given);
+  const std::filesystem::path directory = options.directory;
+  if (!directory.empty()) make_folder(directory);
   const std::vector<StudyPoint> points = points_of(options);
-  if (!options.directory.empty()) write(options.directory, options, points);
-  const std::string text = options.format == "json"  ? as_json(options, points)
-                           : options.format == "csv" ? as_csv(options, points)
-                                                     : as_text(options, points);
+  const StudySummary summary = summarize(points);
+  if (!directory.empty()) {
+    io::write_file(directory / "compare.json", to_json(points, summary));
+    io::write_file(directory / "compare.csv", study_csv(points));
+    reports::write_study(points, summary, directory);
+  }
+  const std::string text = options.format == "json"  ? to_json(points, summary)
+                           : options.format == "csv" ? study_csv(points)
+                                                     : study_text(points, summary);
   std::fputs(text.c_str(), stdout);
 }
 
@@ -158,27 +124,38 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "compare",
-      "Errors and costs of the solvers of the equation of motion, against the exact one");
-  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+      "Errors and costs of the solvers of the equation of motion, against the exact one. Each of "
+      "--filter, --samples, --levels, --shape and --damping may be a list; the study is their "
+      "product, on all cores. Seconds are processor time of one thread, the least of up to 5 "
+      "runs.");
+  command->add_option("--filter", options->filters, "Filters' names, or JSON files with one's own")
+      ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--samples", options->samples, "Number of samples, a power of two")
+  command->add_option("--samples", options->samples, "Numbers of samples, powers of two")
+      ->delimiter(',')
       ->capture_default_str();
   command->add_option("--levels", options->levels, "Levels of decomposition; all if not given")
+      ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
   command
-      ->add_option("--shape", options->shape,
+      ->add_option("--shape", options->shapes,
                    "ellipse, star, dent, or the first contour of a drawing (.svg, .csv), fitted to "
                    "the unit circle, which is the rest shape")
-      ->capture_default_str();
-  command->add_option("--damping", options->damping, "s1,s2 of the damping C = s1 M + s2 K")
       ->delimiter(',')
-      ->expected(2)
-      ->default_str("0,0");
+      ->capture_default_str();
+  command
+      ->add_option("--damping", options->dampings,
+                   "s1,s2 of the damping C = s1 M + s2 K; may be repeated")
+      ->delimiter(',')
+      ->default_str("0,0 0,0.1 0,1");
   command->add_option("--solvers", options->solvers, "Names, separated by commas; all if not given")
       ->delimiter(',');
   add_format_option(*command, options->format, {"text", "json", "csv"});
-  command->add_option("-o,--output", options->directory,
-                      "Also write compare.json and compare.csv into this folder");
+  command->add_option(
+      "-o,--output", options->directory,
+      "Also write index.html with charts, compare.json and compare.csv into this folder; finished "
+      "points are kept there in compare.points.jsonl, and a run that was interrupted goes on from "
+      "them (remove that file to measure anew)");
   command->callback([options] { run(*options); });
 }
 

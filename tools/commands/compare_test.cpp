@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -12,7 +14,8 @@ namespace {
 using CompareCommand = ProgramTest;
 
 TEST_F(CompareCommand, WritesOnePointASolverAndTolerance) {
-  const ProgramRun run = wavecurve("compare --solvers decoupled,coupled --format json -o study");
+  const ProgramRun run = wavecurve(
+      "compare --shape ellipse --damping 0,0 --solvers decoupled,coupled --format json -o study");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(io::read_file(folder_ / "study" / "compare.json"), run.out);
@@ -37,15 +40,17 @@ TEST_F(CompareCommand, WritesOnePointASolverAndTolerance) {
 }
 
 TEST_F(CompareCommand, KeepsFailedSolves) {
-  const ProgramRun json = wavecurve("compare --solvers massless --format json");
+  const ProgramRun json =
+      wavecurve("compare --shape ellipse --damping 0,0 --solvers massless --format json");
   ASSERT_EQ(json.exit_code, 0) << json.err;
   const auto point = nlohmann::json::parse(json.out)["points"][0];
   EXPECT_EQ(point["status"], "failed");
   EXPECT_TRUE(point["error"].is_null());
-  const ProgramRun csv = wavecurve("compare --solvers massless,spectral --format csv");
+  const ProgramRun csv =
+      wavecurve("compare --shape ellipse --damping 0,0 --solvers massless,spectral --format csv");
   EXPECT_NE(csv.out.find(",failed\n"), std::string::npos);
   EXPECT_NE(csv.out.find(",ok\n"), std::string::npos);
-  const ProgramRun text = wavecurve("compare --solvers massless");
+  const ProgramRun text = wavecurve("compare --shape ellipse --damping 0,0 --solvers massless");
   EXPECT_NE(text.out.find("failed: density is 1"), std::string::npos) << text.out;
 }
 
@@ -59,9 +64,78 @@ TEST_F(CompareCommand, TakesADrawingDampingAndLevels) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return nlohmann::json::parse(run.out)["points"][0]["error"]["displacement_l2_max"];
   };
-  EXPECT_GT(error(""), 0.5);
+  EXPECT_GT(error("--damping 0,0"), 0.5);
   EXPECT_LT(error("--damping 0,10"), 0.01);
-  EXPECT_NE(error("--levels 2"), error(""));
+  EXPECT_NE(error("--levels 2"), error("--levels 3"));
+}
+
+TEST_F(CompareCommand, SweepsTheProductOfItsLists) {
+  const ProgramRun run = wavecurve(
+      "compare --filter db4,coif2 --samples 16,32 --levels 3,4 --shape star,dent --damping 0,0 "
+      "--damping 1,0.5 --solvers decoupled,block-decoupled --format json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto study = nlohmann::json::parse(run.out);
+  ASSERT_EQ(study["points"].size(), 64u);
+  EXPECT_EQ(study["floors"].size(), 64u);
+  EXPECT_EQ(study["floors"][1]["solver"], "block-decoupled");
+  EXPECT_EQ(study["floors"][1]["cause"], "model");
+  EXPECT_EQ(study["points"][3]["damping"], nlohmann::json({1, 0.5}));
+  EXPECT_EQ(study["points"][63]["filter"], "coif2");
+  EXPECT_EQ(study["points"][63]["levels"], 4);
+}
+
+TEST_F(CompareCommand, NamesFloorsOrdersAndGrowth) {
+  const ProgramRun text = wavecurve(
+      "compare --samples 16,32,64 --shape star --damping 0,0 --solvers decoupled,implicit-ldlt "
+      "-o study");
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("decoupled: floor 1."), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("implicit-ldlt: observed order 2.0"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("implicit-ldlt at 0.000488, N = 16 to 64: operations N^"),
+            std::string::npos)
+      << text.out;
+  const auto study = nlohmann::json::parse(io::read_file(folder_ / "study" / "compare.json"));
+  EXPECT_NEAR(study["orders"][0]["order"]["exponent"], 2, 0.1);
+  EXPECT_EQ(study["growth"].size(), 2u);
+  const std::string page = io::read_file(folder_ / "study" / "index.html");
+  EXPECT_NE(page.find("decoupled: floor 1."), std::string::npos);
+  for (const char* figure : {"floors", "work-precision-1", "work-precision-3", "model-error-2"}) {
+    EXPECT_NE(page.find("id=\"figure-" + std::string(figure) + "\""), std::string::npos) << figure;
+    EXPECT_TRUE(exists(folder_ / "study" / "figures" / (figure + std::string(".svg"))));
+  }
+}
+
+/// compare.json without what differs from run to run.
+nlohmann::json without_times(const std::filesystem::path& file) {
+  auto study = nlohmann::json::parse(io::read_file(file));
+  for (auto& point : study["points"]) point["cost"].erase("seconds");
+  for (auto& growth : study["growth"]) growth.erase("seconds");
+  return study;
+}
+
+TEST_F(CompareCommand, GoesOnWhereItWasKilled) {
+  const std::string arguments =
+      "compare --samples 16 --shape star --damping 0,0 --damping 0,0.1 --format csv "
+      "--solvers decoupled,implicit-rosenbrock,implicit -o ";
+  ASSERT_EQ(wavecurve(arguments + "whole").exit_code, 0);
+  // SIGKILL as soon as a few points are there, in the middle of the work.
+  const ProgramRun killed =
+      run("cd '" + folder_.string() + "' && { '" WAVECURVE_PROGRAM "' " + arguments +
+          "part & p=$!; while [ \"$(cat part/compare.points.jsonl "
+          "2>/dev/null | wc -l)\" -lt 4 ]; do sleep 0.001; done; "
+          "kill -9 $p; wait $p; }");
+  EXPECT_EQ(killed.exit_code, 128 + 9);
+  EXPECT_FALSE(exists(folder_ / "part" / "compare.json"));
+  const auto journal = folder_ / "part" / "compare.points.jsonl";
+  const std::string kept = io::read_file(journal);
+  io::write_file(journal, kept + "{\"solver\": \"implicit");  // as if a write had been cut short
+  ASSERT_EQ(wavecurve(arguments + "part").exit_code, 0);
+  EXPECT_TRUE(io::read_file(journal).starts_with(kept));
+  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  EXPECT_EQ(lines(io::read_file(journal)),
+            lines(io::read_file(folder_ / "whole" / "compare.points.jsonl")));
+  EXPECT_EQ(without_times(folder_ / "part" / "compare.json"),
+            without_times(folder_ / "whole" / "compare.json"));
 }
 
 TEST_F(CompareCommand, RefusesBadInput) {
@@ -70,6 +144,9 @@ TEST_F(CompareCommand, RefusesBadInput) {
   expect_refusal("compare --shape blob", "ellipse, star, dent");
   expect_refusal("compare --damping -1,0", "-1");
   expect_refusal("compare --damping 1", "--damping");
+  expect_refusal("compare --damping 0,0,1", "--damping");
+  expect_refusal("compare --samples 64,48", "48");
+  expect_refusal("compare --samples 16,64 --levels 6", "6");
   expect_refusal("compare --solvers magic", "magic");
   expect_refusal("compare --filter nope", "unknown filter 'nope'");
   expect_refusal("compare --shape missing.svg", "missing.svg");
