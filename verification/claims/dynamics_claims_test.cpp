@@ -1,4 +1,5 @@
 // The claims about motion: their verdicts, that their tables are whole, and known figures.
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -85,6 +86,36 @@ TEST(Figure7, ErrorsFallAndCostsGrowWithTheControlPoints) {
     EXPECT_GT(number(table, row, 4), number(table, row - 1, 4));
   }
   EXPECT_EQ(number(table, 4, 2), 0);
+}
+
+TEST(EnergyClaim, HoldsForTheExactMotionAndNamesTheDriftOfAllOthers) {
+  const Outcome outcome = outcome_of("energy");
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.own_value;
+  const Table curves = std::get<Chart>(outcome.evidence.at(0)).data;
+  expect_full(curves);
+  double largest = 0;
+  for (std::size_t row = 0; row < curves.rows.size(); ++row) {
+    EXPECT_EQ(curves.rows[row].at(1), "1.0000");
+    largest = std::max(largest, number(curves, row, 2));
+  }
+  EXPECT_GT(largest, 1.5);  // decoupled
+  expect_full(std::get<Table>(outcome.evidence.at(1)));
+  const Table drift = std::get<Table>(outcome.evidence.at(2));
+  expect_full(drift);
+  EXPECT_EQ(drift.rows.front().at(2), "below 1e-13");  // spectral
+  EXPECT_GT(number(drift, 1, 2), 0.5);
+  EXPECT_GT(number(drift, 1, 3), 0.1);  // damped, and yet it gains
+}
+
+TEST(IntegrationOrdersClaim, HoldsForEveryMethod) {
+  const Outcome outcome = outcome_of("integration-orders");
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.own_value;
+  expect_full(std::get<Chart>(outcome.evidence.at(0)).data);
+  const Table table = std::get<Table>(outcome.evidence.at(1));
+  expect_full(table);
+  EXPECT_EQ(table.rows.size(), 12u);
+  EXPECT_NEAR(number(table, 0, 2), 1, 0.02);  // Euler
+  EXPECT_NEAR(number(table, 4, 2), 4, 0.1);   // Runge-Kutta
 }
 
 }  // namespace
