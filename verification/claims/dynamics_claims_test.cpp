@@ -45,7 +45,7 @@ TEST(DecouplingClaim, ErrorsGrowFromNothing) {
   // With one scale only the diagonal block is the whole matrix.
   const Table levels = std::get<Table>(outcome.evidence.at(3));
   expect_full(levels);
-  EXPECT_LT(number(levels, 0, 4), 1e-6);
+  EXPECT_LT(number(levels, 0, 5), 1e-6);
   expect_full(std::get<Table>(outcome.evidence.at(4)));
   expect_full(std::get<Table>(outcome.evidence.at(5)));
 }

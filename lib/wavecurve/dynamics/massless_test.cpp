@@ -54,6 +54,47 @@ TEST(Massless, IsTheLimitOfASmallDensity) {
   }
 }
 
+TEST(Massless, SolvesOneModeAsOnPaper) {
+  // u' = -(k / c) u for mode 1: a step of size h multiplies by 1 - h k / c, 1 / (1 + h k / c), or
+  // (1 - h k / 2 c) / (1 + h k / 2 c).
+  InitialValueProblem problem = smooth_problem("coif2", 32, {0, 0.1, 0, 0, 0.05, 1});
+  problem.displacement.col(0) = problem.displacement.col(1);
+  const Symbols symbols = problem.system.symbols();
+  const double rate = symbols.stiffness[1] / symbols.damping[1], h = 1.0 / 64;
+  for (const auto& [method, factor] : {std::pair(schulz_euler, 1 - h * rate),
+                                       {explicit_euler, 1 - h * rate},
+                                       {backward_euler, 1 / (1 + h * rate)},
+                                       {crank_nicolson, (1 - h * rate / 2) / (1 + h * rate / 2)}}) {
+    const Trajectory solution = solve_massless(problem, method, h);
+    for (std::size_t i = 0; i < solution.displacement.size(); ++i) {
+      const double expected = std::pow(factor, 64 * problem.times[static_cast<Eigen::Index>(i)]);
+      // Residuals of the inverse and of the factorisation, 1e-12 at most in each of 64 steps.
+      EXPECT_LT((solution.displacement[i] - expected * problem.displacement).norm(), 1e-10);
+      EXPECT_LT((solution.velocity[i] + rate * expected * problem.displacement).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(Massless, IsLinearAndShiftsWithTheStartPoint) {
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 32, 2, {0, 0.1, 0, 0, 0.05, 1});
+  const Eigen::Index shift = 3 * 4;  // three times the coarsest spacing
+  InitialValueProblem problem = {
+      system, coefficients_of(system, smooth_samples(32)), {}, Eigen::Vector2d(0.2, 0.5), {}, {}};
+  problem.force.harmonic.push_back({3, problem.displacement, -problem.displacement});
+  InitialValueProblem moved = problem;
+  moved.displacement = -2 * coefficients_of(system, smooth_samples(32, shift));
+  moved.force.harmonic = {{3, moved.displacement, -moved.displacement}};
+  for (const MasslessMethod method :
+       {schulz_euler, explicit_euler, backward_euler, crank_nicolson}) {
+    const Trajectory original = solve_massless(problem, method, 1.0 / 64);
+    Trajectory other = solve_massless(moved, method, 1.0 / 64);
+    for (Eigen::MatrixXd& state : other.displacement) {
+      state = -0.5 * shifted(system, state, 32 - shift);
+    }
+    EXPECT_LT(largest_difference(other.displacement, original.displacement), 1e-10);
+  }
+}
+
 TEST(Massless, SeesForcesThatDependOnTheState) {
   // f = -a u adds a G to K: the exact solution has the rate (k + a g) / c.
   const double a = 0.7;

@@ -7,6 +7,7 @@
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -42,6 +43,20 @@ inline InitialValueProblem smooth_problem(const std::string& filter, Eigen::Inde
       system, coefficients_of(system, smooth_samples(samples)), {}, {}, {}, {}};
   problem.times = Eigen::VectorXd::LinSpaced(5, 0, 1);
   return problem;
+}
+
+/// The coefficients of the curve whose start point is moved by so many samples, a multiple of the
+/// coarsest spacing.
+inline Eigen::MatrixXd shifted(const LagrangeSystem& system, const Eigen::MatrixXd& coefficients,
+                               Eigen::Index shift) {
+  Eigen::MatrixXd result = coefficients;
+  for (const Band& band : multiscale_bands(system.samples(), system.levels())) {
+    const Eigen::Index by = shift * band.size / system.samples();
+    for (Eigen::Index n = 0; n < band.size; ++n) {
+      result.row(band.offset + n) = coefficients.row(band.offset + (n + by) % band.size);
+    }
+  }
+  return result;
 }
 
 inline double largest_difference(const std::vector<Eigen::MatrixXd>& a,
