@@ -119,14 +119,17 @@ std::optional<Growth> growth_of(const Points& points) {
   return growth;
 }
 
-/// Of all sizes of one solver: at the finest tolerance that none of them failed at.
+/// Of all sizes of one solver: at the coarsest and the finest tolerance that none of them failed
+/// at.
 void add_growth(std::vector<Growth>& all, const Points& points) {
-  std::optional<Growth> finest;
+  std::vector<Growth> found;
   const auto tolerance = [](const StudyPoint& point) { return point.tolerance; };
   for (const Points& group : grouped(points, tolerance)) {
-    if (auto growth = growth_of(group)) finest = std::move(growth);
+    if (auto growth = growth_of(group)) found.push_back(*std::move(growth));
   }
-  if (finest) all.push_back(*std::move(finest));
+  if (found.empty()) return;
+  all.push_back(found.front());
+  if (found.size() > 1) all.push_back(found.back());
 }
 
 }  // namespace

@@ -28,11 +28,12 @@ struct ObservedOrder {
 };
 
 /// How the cost of a solver grows with the number of samples, all else equal; for those solved at
-/// three sizes or more.
+/// three sizes or more, at the coarsest and at the finest tolerance solved at all of them: of
+/// explicit solvers stability sets the steps at the one, accuracy at the other.
 struct Growth {
   StudySetting setting;  ///< the largest
   std::string solver;
-  std::optional<double> tolerance;  ///< the finest that is solved at all sizes
+  std::optional<double> tolerance;
   std::vector<Eigen::Index> samples;
   PowerFit operations, seconds;
 };

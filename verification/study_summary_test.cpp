@@ -56,11 +56,12 @@ TEST(StudySummary, HasNoOrderWhereTheToleranceDoesNotSetTheSteps) {
   EXPECT_TRUE(summarize(points).orders.empty());
 }
 
-TEST(StudySummary, FitsTheGrowthAtTheFinestToleranceSolvedAtAllSizes) {
+TEST(StudySummary, FitsTheGrowthAtTheOuterTolerancesSolvedAtAllSizes) {
   std::vector<StudyPoint> points;
   for (const Eigen::Index samples : {16, 32, 64}) {
-    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-      StudyPoint point = point_of("coupled", tolerance, samples * samples, 1e-3);
+    for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4}) {
+      const long long cost = tolerance == 1e-1 ? samples : samples * samples;
+      StudyPoint point = point_of("coupled", tolerance, cost, 1e-3);
       point.setting.samples = samples;
       point.setting.levels = static_cast<int>(std::log2(samples));
       if (tolerance == 1e-4 && samples == 64) point.errors.reset();
@@ -68,8 +69,10 @@ TEST(StudySummary, FitsTheGrowthAtTheFinestToleranceSolvedAtAllSizes) {
     }
   }
   const StudySummary summary = summarize(points);
-  ASSERT_EQ(summary.growth.size(), 1u);
-  const Growth& growth = summary.growth[0];
+  ASSERT_EQ(summary.growth.size(), 2u);
+  EXPECT_EQ(summary.growth[0].tolerance, 1e-1);
+  EXPECT_NEAR(summary.growth[0].operations.exponent, 1, 1e-12);
+  const Growth& growth = summary.growth[1];
   EXPECT_EQ(growth.tolerance, 1e-3);
   EXPECT_EQ(growth.samples, (std::vector<Eigen::Index>{16, 32, 64}));
   EXPECT_NEAR(growth.operations.exponent, 2, 1e-12);
