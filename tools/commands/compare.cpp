@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/io/write_file.hpp"
@@ -101,6 +102,17 @@ void make_folder(const std::filesystem::path& directory) {
   if (error) throw std::system_error(error, "cannot make the folder " + directory.string());
 }
 
+/// The tables, then what those of several settings come to.
+std::string as_text(const std::vector<StudyPoint>& points, const StudySummary& summary,
+                    const std::filesystem::path& directory) {
+  std::string text = study_text(points, summary);
+  const auto sentences = reports::answer(points, summary);
+  if (settings_of(points).size() > 1) text += fmt::format("\n{}\n", fmt::join(sentences, "\n"));
+  if (!directory.empty())
+    text += fmt::format("\nreport: {}\n", (directory / "index.html").string());
+  return text;
+}
+
 void run(const Options& given) {
   const Options options = completed(given);
   const std::filesystem::path directory = options.directory;
@@ -114,7 +126,7 @@ void run(const Options& given) {
   }
   const std::string text = options.format == "json"  ? to_json(points, summary)
                            : options.format == "csv" ? study_csv(points)
-                                                     : study_text(points, summary);
+                                                     : as_text(points, summary, directory);
   std::fputs(text.c_str(), stdout);
 }
 

@@ -94,6 +94,7 @@ TEST_F(CompareCommand, NamesFloorsOrdersAndGrowth) {
   EXPECT_NE(text.out.find("implicit-ldlt at 0.000488, N = 16 to 64: operations N^"),
             std::string::npos)
       << text.out;
+  EXPECT_TRUE(text.out.ends_with("\nreport: study/index.html\n")) << text.out;
   const auto study = nlohmann::json::parse(io::read_file(folder_ / "study" / "compare.json"));
   EXPECT_NEAR(study["orders"][0]["order"]["exponent"], 2, 0.1);
   EXPECT_EQ(study["growth"].size(), 3u);  // at one accuracy, at two

@@ -50,7 +50,7 @@ std::string setting_text(const StudySetting& setting, const std::vector<StudyPoi
                         interval_text(order.fit), order.fit.points, order.tolerances.front(),
                         order.tolerances.back());
   }
-  return text + "\n";
+  return text;
 }
 
 /// A field between quotes, quotes within doubled.
@@ -67,9 +67,9 @@ std::string study_text(const std::vector<StudyPoint>& points, const StudySummary
       "rest shape the unit circle, released at rest, t from 0 to 1; errors against the exact "
       "motion,\nrelative to the initial state; of a closed form (no tolerance) they are those of "
       "its model,\nwhich no tolerance makes smaller; seconds of one thread's processor time, least "
-      "of up to 5 runs\n\n";
+      "of up to 5 runs\n";
   for (const StudySetting& setting : settings_of(points)) {
-    text += setting_text(setting, points, summary);
+    text += "\n" + setting_text(setting, points, summary);
   }
   for (const Growth& growth : summary.growth) {
     text +=
