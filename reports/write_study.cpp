@@ -11,6 +11,7 @@
 #include "wavecurve/io/write_file.hpp"
 
 #include "escape.hpp"
+#include "formula.hpp"
 #include "gnuplot.hpp"
 #include "html_evidence.hpp"
 #include "html_head.hpp"
@@ -86,7 +87,7 @@ namespace {
 std::string answer_html(const std::vector<StudyPoint>& points, const StudySummary& summary) {
   std::string html = "<ul>\n";
   for (const std::string& sentence : answer(points, summary)) {
-    html += "<li><strong>" + escape(sentence) + "</strong></li>\n";
+    html += "<li><strong>" + formula_html(sentence) + "</strong></li>\n";
   }
   return html + "</ul>\n";
 }

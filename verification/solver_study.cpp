@@ -211,7 +211,7 @@ VectorXd study_times() { return VectorXd::LinSpaced(41, 0, 1); }
 std::vector<std::optional<double>> sweep(const NamedSolver& solver) {
   switch (solver.accuracy) {
     case Accuracy::tolerance:
-      return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+      return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
     case Accuracy::step:
       return {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
     case Accuracy::closed_form:

@@ -16,6 +16,8 @@ using Points = std::vector<const StudyPoint*>;
 
 /// Errors below this are of rounding: some thousand steps, each of a few units of 2^-53.
 constexpr double rounding = 1e-12;
+/// Three points have an interval, but one so wide that it says nothing.
+constexpr std::size_t fewest_points = 4;
 constexpr double least_increase = 1.1, order_spread = 1.0 / 3;
 
 double evaluations(const StudyPoint& point) { return static_cast<double>(point.cost.evaluations); }
@@ -66,7 +68,7 @@ Points asymptotic(const Points& sweep) {
 
 void add_order(std::vector<ObservedOrder>& orders, const Points& sweep) {
   const Points part = asymptotic(sweep);
-  if (part.size() < 3) return;
+  if (part.size() < fewest_points) return;
   ObservedOrder order{part.front()->setting, part.front()->solver, {}, {}};
   std::vector<double> costs, errors;
   for (const StudyPoint* point : part) {

@@ -19,7 +19,7 @@ struct ErrorFloor {
 /// How the error of a solver with steps falls with its evaluations, in the asymptotic range: from
 /// the finest point that is above rounding on, towards the coarse ones, as long as the error grows,
 /// the cost falls by at least a tenth (else stability sets the step, not the tolerance), and the
-/// order between neighbours stays within a third of the median. None if these are fewer than three.
+/// order between neighbours stays within a third of the median. None if these are fewer than four.
 struct ObservedOrder {
   StudySetting setting;
   std::string solver;
