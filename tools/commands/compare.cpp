@@ -108,9 +108,9 @@ std::string as_text(const std::vector<StudyPoint>& points, const StudySummary& s
   std::string text = study_text(points, summary);
   const auto sentences = reports::answer(points, summary);
   if (settings_of(points).size() > 1) text += fmt::format("\n{}\n", fmt::join(sentences, "\n"));
-  if (!directory.empty())
-    text += fmt::format("\nreport: {}\n", (directory / "index.html").string());
-  return text;
+  return text + (directory.empty()
+                     ? "\n-o DIR also writes a page of charts\n"
+                     : fmt::format("\nreport: {}\n", (directory / "index.html").string()));
 }
 
 void run(const Options& given) {
