@@ -32,12 +32,16 @@ Oscillator oscillator(const Symbols& modes, Eigen::Index mode) {
   return {modes.mass[mode], modes.damping[mode], modes.stiffness[mode]};
 }
 
-ModalPropagator::ModalPropagator(const Symbols& modes, double t) {
-  for (Eigen::ArrayXd* array : {&qq_, &qv_, &vq_, &vv_, &qf_, &vf_})
-    array->resize(modes.mass.size());
-  for (Eigen::Index n = 0; n < modes.mass.size(); ++n) {
+ModalPropagator::ModalPropagator(const Symbols& modes, double t, bool from_displacement_only) {
+  const Eigen::Index size = modes.mass.size();
+  qq_.resize(size);
+  if (!from_displacement_only) {
+    for (Eigen::ArrayXd* array : {&qv_, &vq_, &vv_, &qf_, &vf_}) array->resize(size);
+  }
+  for (Eigen::Index n = 0; n < size; ++n) {
     const Propagator p = propagator(oscillator(modes, n), t);
     qq_[n] = p.qq;
+    if (from_displacement_only) continue;
     qv_[n] = p.qv;
     vq_[n] = p.vq;
     vv_[n] = p.vv;

@@ -17,7 +17,9 @@ Oscillator oscillator(const Symbols& modes, Eigen::Index mode);
 class ModalPropagator {
  public:
   ModalPropagator() = default;
-  ModalPropagator(const Symbols& modes, double t);
+  /// For displacements that start at rest, without force and without velocities, a sixth of the
+  /// memory is enough; of a million modes, the memory is what takes the time.
+  ModalPropagator(const Symbols& modes, double t, bool from_displacement_only = false);
 
   /// First this, then other: over the sum of their times.
   ModalPropagator then(const ModalPropagator& other) const;

@@ -41,7 +41,8 @@ class ModalFlow {
   /// To be called for j = 0, 1, ... in order.
   ModalState at(Eigen::Index j) {
     if (small_.empty()) {
-      const ModalPropagator propagator(basis_.modes(), times_[j]);
+      const bool is_simple = !velocities_ && state_.velocity.size() == 0 && force_.size() == 0;
+      const ModalPropagator propagator(basis_.modes(), times_[j], is_simple);
       const bool is_last = j + 1 == times_.size();  // the start is not needed any more
       if (!is_last) return propagator.advance(basis_, state_, force_, velocities_);
       return propagator.advance(basis_, std::move(state_.displacement), state_.velocity, force_,

@@ -133,6 +133,21 @@ TEST(Spectral, EquallySpacedTimesGiveWhatSingleTimesGive) {
   }
 }
 
+TEST(Spectral, OneFrameWithoutVelocitiesIsTheSame) {
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0.3, 1e-4, 0});
+  for (const bool at_rest : {false, true}) {
+    for (const bool is_free : {false, true}) {
+      InitialValueProblem problem = {system, Eigen::MatrixXd::Random(64, 2), {}, {}, {}, {}};
+      problem.times = Eigen::VectorXd::Constant(1, 0.7);
+      if (!at_rest) problem.velocity = Eigen::MatrixXd::Random(64, 2);
+      if (!is_free) problem.force.constant = uniform_density(system, Eigen::RowVector2d(0, 3));
+      const Trajectory whole = solve_spectral(problem);
+      problem.velocities = false;
+      EXPECT_EQ(solve_spectral(problem).displacement[0], whole.displacement[0]);
+    }
+  }
+}
+
 /// 1/2 v^T M v + 1/2 q^T K q.
 double energy(const LagrangeSystem& system, const Eigen::MatrixXd& q, const Eigen::MatrixXd& v) {
   return 0.5 * ((v.transpose() * system.mass() * v).trace() +
