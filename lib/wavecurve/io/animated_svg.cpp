@@ -44,7 +44,10 @@ std::string animate(Track track, double duration, bool loop) {
   if (track.times.back() < 1) track.add(1, track.values.back());
   const Decimals share(6);
   std::string times;
-  for (double time : track.times) times += (times.empty() ? "" : ";") + share.text(time);
+  for (double time : track.times) {
+    if (!times.empty()) times += ';';
+    times += share.text(time);
+  }
   return fmt::format(
       "<animate attributeName=\"{}\" dur=\"{:.6g}s\" {} keyTimes=\"{}\" values=\"{}\"/>\n",
       track.attribute, duration, loop ? "repeatCount=\"indefinite\"" : "fill=\"freeze\"", times,

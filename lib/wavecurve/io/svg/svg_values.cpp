@@ -187,7 +187,7 @@ void parse_points(std::string_view text, PathBuilder& path) {
   // What a moveto accepts is a list of points too.
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
   PathEvents events(path);
-  parse<PathGrammar>("M" + std::string(text), events, "list of points", 1);
+  parse<PathGrammar>(fmt::format("M{}", text), events, "list of points", 1);
 }
 
 Eigen::Affine2d parse_transform(std::string_view text) {
