@@ -27,13 +27,12 @@ TEST_F(FilterCommand, JsonHoldsEveryTapCorrectlyRounded) {
 }
 
 TEST_F(FilterCommand, ItsJsonIsAFilterFileAgain) {
-  for (const char* name : {"sym5", "cdf9.7", "bspline3.3"}) {
+  for (const std::string name : {"sym5", "cdf9.7", "bspline3.3"}) {
     io::write_file(folder_ / "own.json",
-                   wavecurve("filter " + std::string(name) + " --format json --digits 30").out);
+                   wavecurve("filter " + name + " --format json --digits 30").out);
     const ProgramRun again = wavecurve("filter own.json --format json --digits 20");
     ASSERT_EQ(again.exit_code, 0) << again.err;
-    const json first =
-        json::parse(wavecurve("filter " + std::string(name) + " --format json --digits 20").out);
+    const json first = json::parse(wavecurve("filter " + name + " --format json --digits 20").out);
     EXPECT_EQ(json::parse(again.out)["synthesis_low"], first["synthesis_low"]) << name;
     EXPECT_EQ(json::parse(again.out)["analysis_high"], first["analysis_high"]) << name;
   }
