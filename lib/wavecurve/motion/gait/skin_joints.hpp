@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "wavecurve/curves/contour.hpp"
+
+namespace wavecurve {
+
+/// Outlines of a limb that is known by its joints only: the boundary of a chain of capsules, the
+/// points at distance `radius` of the bones between neighbouring joints.
+///
+/// Joints are rows, one matrix a time, from the body to the toe. The outline starts at the tip
+/// beyond the first joint and is clockwise as seen. Each bone has a piece of it on either side,
+/// from the bisector at one of its joints to that at the other: an arc outside of a bend, nothing
+/// inside. Points are uniform within a piece, and each piece has the same points at all times, in
+/// proportion to its mean length over time. So point k is the same point of the limb always, and
+/// moves continuously.
+///
+/// Bones that are points at all times are left out; one that is so at some time has the direction
+/// of the one before it. Where a bend is sharper than the bones are long (radius * tan(angle / 2) >
+/// half of one), its inner corner stays at the middle of the bone and nearer to it than the radius.
+///
+/// Throws std::invalid_argument unless there are at least two joints, as many at all times, finite,
+/// not all one point, samples is as check_samples has it, and the radius is positive and finite.
+std::vector<Contour> skin_joints(const std::vector<Contour>& joints, double radius,
+                                 Eigen::Index samples);
+
+/// The mean over time of the length of the chain.
+double chain_length(const std::vector<Contour>& joints);
+
+}  // namespace wavecurve
