@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wavecurve/curves/drawing.hpp"
+#include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/animation.hpp"
 #include "wavecurve/motion/gait/canine_gaits.hpp"
 #include "wavecurve/motion/gait/gait_parameters.hpp"
