@@ -16,7 +16,7 @@ struct LimbTiming {
 
 /// The limbs of a quadruped, in the order of all arrays of four. L, R: left, right; F, H: fore,
 /// hind.
-constexpr std::array<std::string_view, 4> limb_names{"LF", "RF", "LH", "RH"};
+inline constexpr std::array<std::string_view, 4> limb_names{"LF", "RF", "LH", "RH"};
 
 struct CanineGait {
   std::string name;

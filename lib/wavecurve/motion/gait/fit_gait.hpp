@@ -6,59 +6,45 @@
 #include <vector>
 
 #include "wavecurve/filters/filter_bank.hpp"
+#include "wavecurve/motion/gait/fit_models.hpp"
 #include "wavecurve/motion/gait/gait_cycle.hpp"
 #include "wavecurve/motion/gait/gait_parameters.hpp"
 #include "wavecurve/motion/gait/limb_tracks.hpp"
+#include "wavecurve/motion/gait/phase_data.hpp"
 
 namespace wavecurve {
 
-/// One run of a phase: the frames between two key frames.
-struct PhaseRun {
-  double begin = 0, end = 0;    ///< times of the key frames
-  Contour from, to;             ///< control points at the key frames
-  Eigen::VectorXd tau;          ///< of the frames inside, 0 < tau < 1
-  std::vector<Contour> points;  ///< control points of these frames
-};
-
-struct ModelFit {
-  PhaseMotion motion;
-  FitQuality quality;
-};
-
-struct PhaseFit {
-  std::string phase;
-  std::vector<PhaseRun> runs;    ///< one a cycle
-  std::vector<ModelFit> models;  ///< in the order of gait_models
-};
-
 struct LimbFit {
   std::string limb;
-  std::vector<PhaseFit> phases;  ///< stance, swing
+  std::vector<PhaseData> phases;              ///< stance, swing
+  std::vector<std::vector<ModelFit>> models;  ///< of each phase, in the order of gait_models
 };
 
 struct GaitFitOptions {
   FilterBank<double> bank;
-  std::string filter_name;
+  std::string filter;  ///< the name of the bank
   /// Control points at which the fit is made, a power of two from 4 on; none: all points.
   std::optional<Eigen::Index> scale{};
   /// Times of key frames 1 and 2; none: LF's first lift-off, and a quarter of the period later.
   std::optional<std::array<double, 2>> key_frames{};
-  /// The model of all phases; none: the one of the least cross-validated error, of each.
+  /// The model of all phases; none: of each the one of the least cross-validated error.
   std::optional<GaitModel> model{};
 };
 
 struct GaitFit {
   GaitCycle cycle;
-  std::vector<LimbFit> limbs;
+  std::vector<LimbFit> limbs;  ///< as in the cycle
   GaitParameters parameters;
 };
 
 /// Fits all models to all limbs and phases, in the control points of a scale: the K scaling
-/// coefficients of the contour at that scale (publication, (2.8), section 4.2), in units of the
-/// drawing; at the finest scale, the points themselves.
+/// coefficients of the contour at that scale (publication, (2.8) and section 4.2), in units of the
+/// drawing; at the finest scale, the points themselves. Coefficients that move by less than 1 % of
+/// the foot's excursion have no gamma of their own.
 /// Throws as analyse_cycle does, and std::invalid_argument for outlines whose number of points is
-/// no power of two, a scale that is none from 4 to that number, and key frames that are outside the
-/// record, equal, or more than half a period apart.
+/// no power of two, a scale that is none from 4 to that number, a phase without a complete run or
+/// without a frame inside, and key frames that are outside the record, equal, or half a period
+/// apart or more.
 GaitFit fit_gait(const LimbTracks& tracks, const GaitFitOptions& options);
 
 }  // namespace wavecurve

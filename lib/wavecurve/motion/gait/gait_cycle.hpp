@@ -52,8 +52,15 @@ struct GaitCycle {
 /// whose foot does not move, or completes no cycle.
 GaitCycle analyse_cycle(const LimbTracks& tracks);
 
-/// The outline of a track at any time of the record, cubic between the four nearest frames; a
-/// loop's at any time at all.
+/// The outline of a track at any time of the record: cubic between the four nearest frames, of
+/// fewer all.
 Contour outline_at(const Eigen::VectorXd& times, const LimbTrack& track, double time);
+
+/// The record three times in a row, the second one at its own times; a loop's last frame and its
+/// first are as far apart as frames are on average.
+LimbTracks unrolled(const LimbTracks& tracks);
+
+/// The duration of a loop.
+double loop_period(const LimbTracks& tracks);
 
 }  // namespace wavecurve

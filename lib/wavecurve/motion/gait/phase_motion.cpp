@@ -28,8 +28,7 @@ VectorXd deviation(const PhaseMotion& motion, const VectorXd& difference, double
     case GaitModel::linear:
       return VectorXd::Zero(difference.size());
     case GaitModel::quadratic:
-    case GaitModel::quadratic_by_limb:
-    case GaitModel::quadratic_by_level: {
+    case GaitModel::quadratic_by_limb: {
       const double bend = order == 0 ? tau * tau - tau : 2 * tau - 1;
       return (parameters.row(0).transpose().array().isNaN())
           .select(0, parameters.row(0).transpose().array() * difference.array() * bend);

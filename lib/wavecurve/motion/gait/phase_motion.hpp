@@ -24,16 +24,16 @@ enum class GaitModel {
   fourier,     ///< periodic, one series for the whole cycle
 };
 
-constexpr std::array gait_models{GaitModel::linear,
-                                 GaitModel::quadratic,
-                                 GaitModel::quadratic_by_limb,
-                                 GaitModel::quadratic_by_level,
-                                 GaitModel::cubic,
-                                 GaitModel::quartic,
-                                 GaitModel::quintic,
-                                 GaitModel::sextic,
-                                 GaitModel::oscillator,
-                                 GaitModel::fourier};
+inline constexpr std::array gait_models{GaitModel::linear,
+                                        GaitModel::quadratic,
+                                        GaitModel::quadratic_by_limb,
+                                        GaitModel::quadratic_by_level,
+                                        GaitModel::cubic,
+                                        GaitModel::quartic,
+                                        GaitModel::quintic,
+                                        GaitModel::sextic,
+                                        GaitModel::oscillator,
+                                        GaitModel::fourier};
 
 /// "quadratic-by-limb" and the like.
 std::string_view model_name(GaitModel model);
@@ -50,7 +50,10 @@ std::optional<GaitModel> find_gait_model(std::string_view name);
 ///   quadratic   gamma, NaN where there is none;
 ///               D = (q_1 - q_2) gamma (tau^2 - tau), so that q = q_2 + (q_1 - q_2) f with the
 ///               publication's f(tau) = 1 - (1 + gamma) tau + gamma tau^2 (section 4.2)
+///               (quadratic and quadratic_by_limb)
 ///   degree d    c_0 .. c_{d-2};  D = tau (1 - tau) sum_k c_k P_k(2 tau - 1), P_k Legendre's
+///               quadratic_by_level is of degree 2: what the gammas of the bands make of the mean
+///               key frames. In units of length, so that points whose key frames coincide move too
 ///   oscillator  e_0 / rho, f_0 / rho, NaN where there are none;  D = (q_1 - q_2) (f - 1 + tau),
 ///               f'' + (e_0 / rho) f' + (f_0 / rho) f = 0, f(0) = 1, f(1) = 0: (3.16), with the
 ///               constants a, b that the key frames ask for. Only the ratios matter.
