@@ -15,6 +15,9 @@ class ControlPoints {
   /// samples.
   ControlPoints(const FilterBank<double>& bank, Eigen::Index samples, Eigen::Index scale);
 
+  Eigen::Index samples() const { return transform_.samples(); }
+  Eigen::Index scale() const { return scale_; }
+
   Contour analyse(const Contour& points) const;
   /// Without details.
   Contour draw(const Contour& control_points) const;

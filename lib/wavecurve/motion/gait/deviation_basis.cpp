@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "wavecurve/dynamics/oscillator.hpp"
-
 namespace wavecurve {
 
 using Eigen::Index;
@@ -59,12 +57,19 @@ VectorXd fourier_slope(double u, Index size) {
   return slope;
 }
 
-double oscillator_deviation(double e, double k, double tau, int order) {
-  if (std::isnan(e) || std::isnan(k)) return 0;
-  const Oscillator oscillator{1, e, k};
-  const Propagator now = propagator(oscillator, tau), whole = propagator(oscillator, 1);
-  const double start = -whole.qq / whole.qv;  // f'(0)
-  return order == 0 ? now.qq + now.qv * start - 1 + tau : now.vq + now.vv * start + 1;
+OscillatorDeviation::OscillatorDeviation(double e, double k) : oscillator_{1, e, k} {
+  const Propagator whole = propagator(oscillator_, 1);
+  start_ = -whole.qq / whole.qv;
+}
+
+double OscillatorDeviation::value(double tau) const {
+  const Propagator now = propagator(oscillator_, tau);
+  return now.qq + now.qv * start_ - 1 + tau;
+}
+
+double OscillatorDeviation::slope(double tau) const {
+  const Propagator now = propagator(oscillator_, tau);
+  return now.vq + now.vv * start_ + 1;
 }
 
 }  // namespace wavecurve

@@ -151,10 +151,11 @@ Contour as_contour(const Eigen::RowVectorXd& coefficients) {
 }
 
 struct Sum {
-  double squares = 0;
-  Index count = 0;
+  double squares = 0, foot_squares = 0;
+  Index count = 0, frames = 0;
 
   double root_mean_square() const { return std::sqrt(squares / static_cast<double>(count)); }
+  double foot() const { return std::sqrt(foot_squares / static_cast<double>(frames)); }
 };
 
 /// Adds the squares of data less model of a run.
@@ -173,6 +174,8 @@ void add_residuals(const Fitted& fitted, const PhaseRun& run, const ModelSetting
     }
     sum.squares += (run.points.row(i) - model).squaredNorm();
     sum.count += model.size();
+    sum.foot_squares += std::pow(run.points(i, setting.foot) - model[setting.foot], 2);
+    ++sum.frames;
   }
 }
 
@@ -226,7 +229,7 @@ ModelFit fit_model(GaitModel model, const std::vector<PhaseData>& phases, std::s
     add_residuals(part, test, setting, held_out);
   }
   return {motion_between(whole, from, to, setting), residuals.root_mean_square(),
-          held_out.root_mean_square()};
+          held_out.root_mean_square(), residuals.foot()};
 }
 
 PhaseGammas phase_gammas(const PhaseData& data, const ModelSetting& setting) {

@@ -14,12 +14,14 @@ struct ModelSetting {
   FilterBank<double> bank;    ///< of the levels of quadratic_by_level, down to four control points
   double least_movement = 0;  ///< |q_1 - q_2| of a coefficient with a gamma or an oscillator
   int fourier_terms = 9;      ///< odd
+  Eigen::Index foot = 0;      ///< control point
 };
 
 struct ModelFit {
   PhaseMotion motion;
   /// Root mean squares over frames and coefficients, in units of length; see FitQuality.
   double residual = 0, cross_validated = 0;
+  double foot_residual = 0;  ///< of the foot's x alone
 };
 
 /// One model of one of a limb's phases, fitted to all runs, and cross-validated.

@@ -34,9 +34,9 @@ struct Residuals {
   int values() const { return static_cast<int>(tau.size()); }
 
   int operator()(const VectorXd& roots, VectorXd& residuals) const {
-    const double e = roots[0] * roots[0], k = roots[1] * roots[1];
+    const OscillatorDeviation f(roots[0] * roots[0], roots[1] * roots[1]);
     for (Index i = 0; i < tau.size(); ++i) {
-      residuals[i] = movement[i] * oscillator_deviation(e, k, tau[i]) - off_line[i];
+      residuals[i] = movement[i] * f.value(tau[i]) - off_line[i];
     }
     return residuals.allFinite() ? 0 : -1;
   }

@@ -45,6 +45,21 @@ Contour half_jump(const LimbPath& path, std::size_t span) {
 
 }  // namespace
 
+LimbPath path_of_point(const LimbPath& path, Eigen::Index point) {
+  LimbPath result{path.limb, 0, path.offset, {}};
+  for (const PathSpan& span : path.spans) {
+    PathSpan part = span;
+    part.start = span.start.row(point);
+    const Eigen::MatrixXd& all = span.motion.parameters;
+    part.motion.parameters.resize(all.rows(), 2);
+    if (all.rows() > 0) {
+      part.motion.parameters << all.col(point), all.col(span.start.rows() + point);
+    }
+    result.spans.push_back(std::move(part));
+  }
+  return result;
+}
+
 Contour pose_at(const LimbPath& path, double u, Continuity continuity) {
   const Place place = find_place(path, u);
   const PathSpan& here = path.spans[place.span];

@@ -20,9 +20,13 @@ struct PathSpan {
 /// a span ends where the next, after the last the first, starts.
 struct LimbPath {
   std::string limb;
+  Eigen::Index foot = 0;        ///< the control point that stands on the ground
   double offset = 0;            ///< the share of the cycle at which the first span begins
   std::vector<PathSpan> spans;  ///< shares sum up to 1
 };
+
+/// The path of one of its control points.
+LimbPath path_of_point(const LimbPath& path, Eigen::Index point);
 
 enum class Continuity {
   position,  ///< C0, as the models are

@@ -1,12 +1,10 @@
 #include "wavecurve/motion/gait/phase_motion.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "wavecurve/dynamics/oscillator.hpp"
 #include "wavecurve/motion/gait/deviation_basis.hpp"
 
 namespace wavecurve {
@@ -34,10 +32,11 @@ VectorXd deviation(const PhaseMotion& motion, const VectorXd& difference, double
           .select(0, parameters.row(0).transpose().array() * difference.array() * bend);
     }
     case GaitModel::oscillator: {
-      VectorXd result(difference.size());
+      VectorXd result = VectorXd::Zero(difference.size());
       for (Index i = 0; i < result.size(); ++i) {
-        result[i] =
-            difference[i] * oscillator_deviation(parameters(0, i), parameters(1, i), tau, order);
+        if (std::isnan(parameters(0, i))) continue;
+        const OscillatorDeviation f(parameters(0, i), parameters(1, i));
+        result[i] = difference[i] * (order == 0 ? f.value(tau) : f.slope(tau));
       }
       return result;
     }
@@ -78,6 +77,23 @@ std::optional<GaitModel> find_gait_model(std::string_view name) {
     if (model_name(model) == name) return model;
   }
   return std::nullopt;
+}
+
+bool has_rows(GaitModel model, Index rows) {
+  switch (model) {
+    case GaitModel::linear:
+      return rows == 0;
+    case GaitModel::quadratic:
+    case GaitModel::quadratic_by_limb:
+    case GaitModel::quadratic_by_level:
+      return rows == 1;
+    case GaitModel::oscillator:
+      return rows == 2;
+    case GaitModel::fourier:
+      return rows % 2 == 1;
+    default:
+      return rows == 2 + static_cast<Index>(model) - static_cast<Index>(GaitModel::cubic);
+  }
 }
 
 Contour pose_between(const PhaseMotion& motion, const Contour& from, const Contour& to,

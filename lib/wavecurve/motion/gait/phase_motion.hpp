@@ -40,6 +40,9 @@ std::string_view model_name(GaitModel model);
 /// None for a text that names none.
 std::optional<GaitModel> find_gait_model(std::string_view name);
 
+/// Whether a model has so many rows of parameters.
+bool has_rows(GaitModel model, Eigen::Index rows);
+
 /// The motion from a key frame q_1 at tau = 0 to the next, q_2, at tau = 1. A coefficient is one
 /// coordinate of one control point; there are 2 K of them, the x of all K points before the y.
 ///

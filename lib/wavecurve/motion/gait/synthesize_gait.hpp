@@ -14,7 +14,8 @@
 namespace wavecurve {
 
 /// The four limbs' paths of a whole cycle: those that were recorded, a missing limb from the one of
-/// the other side, half a cycle later; with another gait's offsets and duty factors, if given.
+/// the other side, half a cycle later. With another gait, if given, each foot is on the ground
+/// (ground_contact.hpp) when that gait has it there.
 /// Throws std::invalid_argument where both limbs of a pair are missing.
 std::vector<LimbPath> gait_paths(const GaitParameters& parameters,
                                  const std::optional<CanineGait>& gait = std::nullopt);

@@ -1,0 +1,89 @@
+#include "gait_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "wavecurve/motion/gait/ground_contact.hpp"
+#include "wavecurve/motion/gait/limb_path.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+std::string heading(const GaitParameters& parameters) {
+  const bool is_whole = parameters.scale == parameters.samples;
+  return fmt::format("period {:.4g}, stride {:.4g}, looks to the {}; {} of an outline ({})\n\n",
+                     parameters.period, parameters.stride, parameters.facing > 0 ? "right" : "left",
+                     is_whole ? fmt::format("all {} points", parameters.samples)
+                              : fmt::format("{} control points", parameters.scale),
+                     parameters.filter);
+}
+
+std::string footfalls(const GaitParameters& parameters) {
+  constexpr int columns = 50;
+  std::string text = fmt::format("limb  touch-down  duty factor  on the ground, through a cycle\n");
+  for (const LimbPath& path : parameters.limbs) {
+    const CyclePart contact = ground_contact(path, parameters.facing);
+    std::string bar;
+    for (int i = 0; i < columns; ++i) {
+      bar += contact.since((i + 0.5) / columns) < contact.length ? '#' : '.';
+    }
+    text += fmt::format("{:4}  {:10.2f}  {:11.2f}  {}\n", path.limb, contact.begin, contact.length,
+                        bar);
+  }
+  return text + '\n';
+}
+
+/// The model that a phase of a limb is drawn by.
+GaitModel chosen(const GaitParameters& parameters, const FitQuality& quality) {
+  for (const LimbPath& path : parameters.limbs) {
+    for (const PathSpan& span : path.spans) {
+      if (path.limb == quality.limb && span.phase == quality.phase) return span.motion.model;
+    }
+  }
+  return GaitModel::linear;
+}
+
+std::string residuals(const GaitParameters& parameters) {
+  std::string text =
+      "residual, and cross-validated, in % of the stride; * chosen; foot: in % of its excursion\n\n"
+      "limb  phase   cycles  model                 residual  cross-validated   foot\n";
+  std::string last;
+  for (const FitQuality& quality : parameters.quality) {
+    const std::string place = quality.limb + ' ' + quality.phase;
+    const bool is_new = place != last;
+    last = place;
+    text += fmt::format("{:4}  {:6}  {:>6}  {:18} {}  {:8.3f}  {:15.3f}  {:5.1f}\n",
+                        is_new ? quality.limb : "", is_new ? quality.phase : "",
+                        is_new ? fmt::format("{}", quality.cycles) : "", model_name(quality.model),
+                        chosen(parameters, quality) == quality.model ? '*' : ' ',
+                        100 * quality.residual_share_of_stride, 100 * quality.cross_validated,
+                        100 * quality.foot_share_of_excursion);
+  }
+  return text + '\n';
+}
+
+std::string gammas(const GaitParameters& parameters) {
+  std::string text =
+      "gamma of the whole limb, its standard error, and how many coefficients move enough for "
+      "one\n\n"
+      "limb  phase    gamma  standard error  of their own\n";
+  for (const PhaseGammas& phase : parameters.gammas) {
+    const auto own = phase.gamma.size() - phase.gamma.array().isNaN().count();
+    text += fmt::format("{:4}  {:6} {:7.3f}  {:14.3f}  {:>12}\n", phase.limb, phase.phase,
+                        phase.limb_gamma, phase.limb_standard_error,
+                        fmt::format("{} of {}", own, phase.gamma.size()));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string gait_table(const GaitParameters& parameters) {
+  return heading(parameters) + footfalls(parameters) + residuals(parameters) + gammas(parameters);
+}
+
+}  // namespace wavecurve::tools
