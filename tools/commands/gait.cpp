@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -32,7 +33,7 @@ struct FitOptions {
   std::vector<std::string> tracks;
   std::string output, filter = "bspline4.4", model;
   io::TrackOptions reading;
-  std::optional<Eigen::Index> scale;
+  std::string scale = "64";
   std::vector<double> key_frames;
 };
 
@@ -45,9 +46,21 @@ GaitModel named_model(const std::string& name) {
   throw std::invalid_argument(fmt::format("there is no model '{}'; there are {}", name, known));
 }
 
+/// None: all points.
+std::optional<Eigen::Index> scale_of(const std::string& text) {
+  if (text == "full") return std::nullopt;
+  Eigen::Index scale = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::invalid_argument(
+        fmt::format("--scale takes a number of control points or full, not '{}'", text));
+  }
+  return scale;
+}
+
 void fit(const FitOptions& options) {
   GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
-  how.scale = options.scale;
+  how.scale = scale_of(options.scale);
   if (!options.model.empty()) how.model = named_model(options.model);
   if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
   const LimbTracks tracks =
@@ -55,7 +68,7 @@ void fit(const FitOptions& options) {
   const GaitFit fitted = fit_gait(tracks, how);
   io::write_file(options.output, io::gait_parameters_json(fitted.parameters));
   if (fitted.cycle.is_loop) fmt::print("the record ends where it begins: one cycle\n");
-  fmt::print("{}", gait_table(fitted.parameters));
+  fmt::print("{}", gait_summary(fitted.parameters));
 }
 
 void add_fit(CLI::App* gait) {
@@ -68,8 +81,10 @@ void add_fit(CLI::App* gait) {
   command->add_option("-o,--output", options->output, "The parameters, .json")->required();
   command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
       ->capture_default_str();
-  command->add_option("--scale", options->scale,
-                      "Control points of an outline, a power of two from 4 on; all of its points");
+  command
+      ->add_option("--scale", options->scale,
+                   "Control points of an outline, a power of two from 4 on, or full")
+      ->capture_default_str();
   command->add_option("--samples", options->reading.samples,
                       "Points of an outline, a power of two; as the file has it");
   command

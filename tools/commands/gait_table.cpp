@@ -47,23 +47,26 @@ GaitModel chosen(const GaitParameters& parameters, const FitQuality& quality) {
   return GaitModel::linear;
 }
 
-std::string residuals(const GaitParameters& parameters) {
-  std::string text =
-      "residual, and cross-validated, in % of the stride; * chosen; foot: in % of its excursion\n\n"
-      "limb  phase   cycles  model                 residual  cross-validated   foot\n";
+std::string residuals(const GaitParameters& parameters, bool only_chosen) {
+  std::string text = fmt::format(
+      "residual, and cross-validated, in % of the stride{}; of the foot, in % of its excursion\n\n"
+      "limb  phase   cycles  model                 residual  cross-validated   foot\n",
+      only_chosen ? "" : "; * chosen");
   std::string last;
   for (const FitQuality& quality : parameters.quality) {
+    const bool is_chosen = chosen(parameters, quality) == quality.model;
+    if (only_chosen && !is_chosen) continue;
     const std::string place = quality.limb + ' ' + quality.phase;
     const bool is_new = place != last;
     last = place;
-    text += fmt::format("{:4}  {:6}  {:>6}  {:18} {}  {:8.3f}  {:15.3f}  {:5.1f}\n",
-                        is_new ? quality.limb : "", is_new ? quality.phase : "",
-                        is_new ? fmt::format("{}", quality.cycles) : "", model_name(quality.model),
-                        chosen(parameters, quality) == quality.model ? '*' : ' ',
-                        100 * quality.residual_share_of_stride, 100 * quality.cross_validated,
-                        100 * quality.foot_share_of_excursion);
+    text +=
+        fmt::format("{:4}  {:6}  {:>6}  {:18} {}  {:8.3f}  {:15.3f}  {:5.1f}\n",
+                    is_new ? quality.limb : "", is_new ? quality.phase : "",
+                    is_new ? fmt::format("{}", quality.cycles) : "", model_name(quality.model),
+                    is_chosen && !only_chosen ? '*' : ' ', 100 * quality.residual_share_of_stride,
+                    100 * quality.cross_validated, 100 * quality.foot_share_of_excursion);
   }
-  return text + '\n';
+  return text;
 }
 
 std::string gammas(const GaitParameters& parameters) {
@@ -82,8 +85,13 @@ std::string gammas(const GaitParameters& parameters) {
 
 }  // namespace
 
+std::string gait_summary(const GaitParameters& parameters) {
+  return heading(parameters) + footfalls(parameters) + residuals(parameters, true);
+}
+
 std::string gait_table(const GaitParameters& parameters) {
-  return heading(parameters) + footfalls(parameters) + residuals(parameters) + gammas(parameters);
+  return heading(parameters) + footfalls(parameters) + residuals(parameters, false) + '\n' +
+         gammas(parameters);
 }
 
 }  // namespace wavecurve::tools

@@ -6,7 +6,10 @@
 
 namespace wavecurve::tools {
 
-/// When feet stand, as bars; residuals of every model, limb and phase; gammas of whole limbs.
+/// When feet stand, as bars, and the models that were chosen.
+std::string gait_summary(const GaitParameters& parameters);
+
+/// The same with the residuals of every model, and gammas of whole limbs.
 std::string gait_table(const GaitParameters& parameters);
 
 }  // namespace wavecurve::tools

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -172,9 +173,13 @@ GaitFit fit_gait(const LimbTracks& tracks, const GaitFitOptions& options) {
         fit_limb(cycle.limbs[l], cycle, points.times, points.limbs[l], options, parameters));
     excursion = std::max(excursion, cycle.limbs[l].excursion);
   }
-  parameters.subcycles =
+  Subcycles subcycles =
       fit_subcycles(points, cycle, options.key_frames.value_or(automatic_key_frames(cycle)),
-                    {options.bank, least_movement * excursion, 0, 0}, parameters.gammas);
+                    {options.bank, least_movement * excursion, 0, 0});
+  parameters.subcycles = std::move(subcycles.paths);
+  std::move(subcycles.gammas.begin(), subcycles.gammas.end(),
+            std::back_inserter(parameters.gammas));
+  fit.subcycles = std::move(subcycles.data);
   return fit;
 }
 

@@ -33,7 +33,8 @@ struct GaitFitOptions {
 
 struct GaitFit {
   GaitCycle cycle;
-  std::vector<LimbFit> limbs;  ///< as in the cycle
+  std::vector<LimbFit> limbs;        ///< as in the cycle
+  std::vector<PhaseData> subcycles;  ///< LF's A to D, then LH's
   GaitParameters parameters;
 };
 

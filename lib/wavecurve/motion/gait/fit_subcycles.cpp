@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "wavecurve/curves/correspondence.hpp"
-#include "wavecurve/motion/gait/fit_gammas.hpp"
 
 namespace wavecurve {
 
@@ -85,6 +85,40 @@ void check(const std::array<double, 2>& keys, const Eigen::VectorXd& times, doub
   }
 }
 
+/// Key frames 1, 2, 1', 2' and 1 again, the number 0 .. 4.
+double key_time(const std::array<double, 2>& keys, int number, double period) {
+  return keys[static_cast<std::size_t>(number % 2)] + number / 2 * period / 2;
+}
+
+double after_touch_down(double time, const GaitCycle& cycle) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Reversal& reversal : cycle.limbs.front().reversals) {
+    const double lag = time - reversal.time;
+    if (reversal.touch_down && std::abs(lag) < std::abs(nearest)) nearest = lag;
+  }
+  const double share = nearest / cycle.period;
+  return share - std::floor(share);
+}
+
+PhaseData runs_of(const Eigen::VectorXd& times, const Pair& pair, const std::array<double, 2>& keys,
+                  int subcycle, double period) {
+  PhaseData data{std::string(1, static_cast<char>('A' + subcycle)), {}, 0, 1};
+  const double begin = key_time(keys, subcycle, period), end = key_time(keys, subcycle + 1, period);
+  const double left = pair.left_delay, right = period / 2 + pair.right_delay;
+  append_runs(times, pair.left, begin + left, end + left, period, data.runs);
+  append_runs(times, pair.right, begin + right, end + right, period, data.runs);
+  return data;
+}
+
+/// Of a left limb: at 1 and 2 its own, at 1' and 2' the right one's of 1 and 2.
+Contour key_pose(const Eigen::VectorXd& times, const Pair& pair, const std::array<double, 2>& keys,
+                 int number, double period) {
+  const bool is_own = number < 2;
+  double time = key_time(keys, number % 2, period) + (is_own ? pair.left_delay : pair.right_delay);
+  if (time > times[times.size() - 1]) time -= period;
+  return outline_at(times, is_own ? pair.left : pair.right, time);
+}
+
 }  // namespace
 
 std::array<double, 2> automatic_key_frames(const GaitCycle& cycle) {
@@ -94,48 +128,33 @@ std::array<double, 2> automatic_key_frames(const GaitCycle& cycle) {
   throw std::invalid_argument("no limb lifts off");
 }
 
-std::vector<LimbPath> fit_subcycles(const LimbTracks& tracks, const GaitCycle& cycle,
-                                    const std::array<double, 2>& keys, const ModelSetting& setting,
-                                    std::vector<PhaseGammas>& gammas) {
-  const Eigen::VectorXd& times = tracks.times;
-  check(keys, times, cycle.period);
-  double offset = 0;
-  for (const Reversal& reversal : cycle.limbs.front().reversals) {
-    if (reversal.touch_down) offset = (keys[0] - reversal.time) / cycle.period;
-  }
-  std::vector<LimbPath> paths;
+Subcycles fit_subcycles(const LimbTracks& tracks, const GaitCycle& cycle,
+                        const std::array<double, 2>& keys, const ModelSetting& setting) {
+  check(keys, tracks.times, cycle.period);
+  const double offset = after_touch_down(keys[0], cycle);
+  Subcycles result;
   for (char which : {'F', 'H'}) {
     const Pair pair = find_pair(tracks, cycle, which);
-    LimbPath path{std::string("L") + which, pair.foot, offset - std::floor(offset), {}};
-    for (int i = 0; i < 4; ++i) {
-      const auto key = [&](int k) {
-        return keys[static_cast<std::size_t>(k % 2)] + k / 2 * cycle.period / 2;
-      };
-      const double begin = key(i), end = key(i + 1), half = cycle.period / 2;
-      PhaseData data{std::string(1, static_cast<char>('A' + i)), {}, 0, 1};
-      append_runs(times, pair.left, begin + pair.left_delay, end + pair.left_delay, cycle.period,
-                  data.runs);
-      append_runs(times, pair.right, begin + half + pair.right_delay, end + half + pair.right_delay,
-                  cycle.period, data.runs);
+    LimbPath path{std::string("L") + which, pair.foot, offset, {}};
+    for (int subcycle = 0; subcycle < 4; ++subcycle) {
+      PhaseData data = runs_of(tracks.times, pair, keys, subcycle, cycle.period);
       if (data.runs.empty()) {
         throw std::invalid_argument(fmt::format(
             "the record shows no frame of subcycle {} of limb {}", data.phase, path.limb));
       }
-      PhaseGammas fitted = phase_gammas(data, setting);
-      fitted.limb = path.limb;
-      const bool is_left = i < 2;  // then the left limb is where the right one was half a cycle ago
-      const LimbTrack& track = is_left ? pair.left : pair.right;
-      const double delay = is_left ? pair.left_delay : pair.right_delay;
-      const double time = keys[static_cast<std::size_t>(i % 2)] + delay;
+      PhaseGammas gammas = phase_gammas(data, setting);
+      gammas.limb = path.limb;
+      const double key = key_time(keys, subcycle, cycle.period);
       path.spans.push_back({data.phase,
-                            (end - begin) / cycle.period,
-                            outline_at(times, track, std::min(time, times[times.size() - 1])),
-                            {GaitModel::quadratic, fitted.gamma.transpose(), 0, 1}});
-      gammas.push_back(std::move(fitted));
+                            (key_time(keys, subcycle + 1, cycle.period) - key) / cycle.period,
+                            key_pose(tracks.times, pair, keys, subcycle, cycle.period),
+                            {GaitModel::quadratic, gammas.gamma.transpose(), 0, 1}});
+      result.gammas.push_back(std::move(gammas));
+      result.data.push_back(std::move(data));
     }
-    paths.push_back(std::move(path));
+    result.paths.push_back(std::move(path));
   }
-  return paths;
+  return result;
 }
 
 }  // namespace wavecurve

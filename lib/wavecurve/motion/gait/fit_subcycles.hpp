@@ -8,6 +8,12 @@
 
 namespace wavecurve {
 
+struct Subcycles {
+  std::vector<LimbPath> paths;      ///< LF, LH
+  std::vector<PhaseGammas> gammas;  ///< of LF, A to D, then of LH
+  std::vector<PhaseData> data;      ///< in the same order
+};
+
 /// The publication's cycle, of the left limbs, from two key frames at which all limbs are known:
 ///   A from key frame 1 to 2, B from 2 to 1', C from 1' to 2', D from 2' to 1,
 /// where 1' and 2' are 1 and 2 with left and right exchanged, half a cycle later. A left limb so
@@ -21,9 +27,8 @@ namespace wavecurve {
 /// Tracks of control points, and the cycle with feet numbered as control points are; times of the
 /// key frames within the record. Throws std::invalid_argument unless key frame 2 is after 1, by
 /// less than half a period, and for a subcycle of which the record shows nothing.
-std::vector<LimbPath> fit_subcycles(const LimbTracks& control_points, const GaitCycle& cycle,
-                                    const std::array<double, 2>& key_frames,
-                                    const ModelSetting& setting, std::vector<PhaseGammas>& gammas);
+Subcycles fit_subcycles(const LimbTracks& control_points, const GaitCycle& cycle,
+                        const std::array<double, 2>& key_frames, const ModelSetting& setting);
 
 /// LF's first lift-off, and a quarter of the period later: when the foot is amid its swing, "lifts
 /// off and thrusts forward".

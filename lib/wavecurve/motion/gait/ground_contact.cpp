@@ -24,10 +24,11 @@ CyclePart ground_contact(const LimbPath& path, double facing) {
   if (!(excursion > 0)) {
     throw std::invalid_argument(fmt::format("the foot of limb '{}' does not move", path.limb));
   }
-  const double least = 0.6 * excursion / ((rearmost - foremost + steps) % steps);
-  const auto stands = [&](int i) {
-    return forwards[(i + steps) % steps] - forwards[(i + 1) % steps] > least;
-  };
+  const double least = 0.7 * excursion / ((rearmost - foremost + steps) % steps);
+  const auto at = [&](int i) { return forwards[(i + steps) % steps]; };
+  // The speed over a 16th of the cycle, so that a foot that falters still stands.
+  constexpr int reach = steps / 32;
+  const auto stands = [&](int i) { return at(i - reach) - at(i + reach) > 2 * reach * least; };
   CyclePart longest;
   for (int begin = 0; begin < steps; ++begin) {
     if (!stands(begin) || stands(begin - 1)) continue;

@@ -12,6 +12,9 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double most_hinge_shift = 0.08;  ///< of the limb's length: a trunk does not stretch
+constexpr Index around = 3;  ///< pieces of the midline on either side that turn with one
+
 double length(const Contour& nodes) {
   double sum = 0;
   for (Index i = 0; i + 1 < nodes.rows(); ++i) sum += (nodes.row(i + 1) - nodes.row(i)).norm();
@@ -54,7 +57,10 @@ LimbRig::LimbRig(const Contour& reference, Index foot, const Contour& drawn)
       scale_(length(drawn_nodes_) / length(reference_nodes_)) {}
 
 Eigen::RowVector2d LimbRig::hinge_shift(const Contour& recorded) const {
-  return scale_ * (recorded_midline_.nodes(recorded).row(0) - reference_hinge_);
+  const Eigen::RowVector2d shift =
+      scale_ * (recorded_midline_.nodes(recorded).row(0) - reference_hinge_);
+  const double most = most_hinge_shift * length(drawn_nodes_);
+  return most * (shift / most).array().tanh().matrix();
 }
 
 double LimbRig::drawn_lean() const {
@@ -73,8 +79,10 @@ Contour LimbRig::pose(const Contour& recorded) const {
   Contour nodes(now.rows(), 2);
   nodes.row(0) = drawn_nodes_.row(0);
   for (Index i = 0; i < pieces; ++i) {
-    const Eigen::RowVector2d before = reference_nodes_.row(i + 1) - reference_nodes_.row(i);
-    const Eigen::RowVector2d after = now.row(i + 1) - now.row(i);
+    // Over more than a piece, since an outline's pieces turn more roughly than the limb.
+    const Index first = std::max<Index>(i - around, 0), last = std::min(i + 1 + around, pieces);
+    const Eigen::RowVector2d before = reference_nodes_.row(last) - reference_nodes_.row(first);
+    const Eigen::RowVector2d after = now.row(last) - now.row(first);
     angle[i] = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
     nodes.row(i + 1) =
         nodes.row(i) + turned(drawn_nodes_.row(i + 1) - drawn_nodes_.row(i), angle[i]);

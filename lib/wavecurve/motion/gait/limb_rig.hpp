@@ -13,7 +13,8 @@ namespace wavecurve {
 /// piece of the drawn midline turns by the angle by which the recorded one has turned there since
 /// the reference pose, the one that the drawing is taken for; points keep their places relative to
 /// their piece of the midline. So lengths and widths stay, and the foot's way is scaled by the
-/// limb's length. The hinge moves as the recorded one does, scaled too.
+/// limb's length. The hinge moves as the recorded one does, scaled too, but by less than 0.15 of
+/// the limb's length (softly: tanh), for a drawn trunk does not stretch.
 class LimbRig {
  public:
   /// The recorded limb in its reference pose, with its foot; the drawn one, of any number of
