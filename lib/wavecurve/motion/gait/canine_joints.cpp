@@ -45,7 +45,7 @@ Foot foot_at(const CanineBuild& build, const CanineLimb& limb, double duty_facto
   Foot foot;
   if (phase < duty_factor) {
     foot.toe << front - stride * phase, build.ground;
-    foot.metacarpus = landing + (leaving - landing) * phase / duty_factor;
+    foot.metacarpus = landing + (leaving - landing) * smooth_step(phase / duty_factor);
     return foot;
   }
   const double s = (phase - duty_factor) / (1 - duty_factor);
@@ -95,11 +95,11 @@ Contour chain(const CanineLimb& limb, const Foot& foot) {
 
 CanineBuild drawn_dog() {
   CanineBuild dog;
-  dog.fore = {{228, 112}, {37, 37, 36}, 16, 12};
+  dog.fore = {{228, 112}, {37, 37.5, 37.5}, 16, 12};
   dog.hind = {{112, 112}, {43, 43, 40}, 0, 14};
   dog.ground = 224;
   dog.reach = 8;
-  dog.sweep = 85;
+  dog.sweep = 84;
   dog.clearance = 14;
   return dog;
 }
