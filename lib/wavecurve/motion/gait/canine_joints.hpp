@@ -22,14 +22,14 @@ struct CanineBuild {
   CanineLimb fore, hind;
   double ground = 0;     ///< y of the digits of a foot that stands
   double reach = 0;      ///< x of the toe less that of the pivot in the middle of the stance
-  double sweep = 0;      ///< what a foot moves backwards in a stance
+  double sweep = 0;      ///< what a foot moves backwards in a stance, of the largest duty factor
   double clearance = 0;  ///< to which a foot is lifted
 };
 
 /// The dog of docs/examples/dog.svg: its limbs hang where those of the drawing do. Pivots are
 /// level, for the scapula, not the shoulder, is the counterpart of the thigh; the upper arm takes
 /// 27 % of the forelimb in dogs of all breeds, and the scapula 24 to 34 %: M. S. Fischer, K. E.
-/// Lilje, Dogs in Motion (2011). Other lengths are those of the drawing.
+/// Lilje, Dogs in Motion (2011). Other lengths are those of the drawing; the sweep is for its walk.
 CanineBuild drawn_dog();
 
 /// The joints of the four limbs of a dog that moves in place, at phases of the gait cycle (1 is one

@@ -16,7 +16,13 @@ constexpr int frames = 200;
 
 class EveryGait : public testing::TestWithParam<std::string> {
  protected:
-  const CanineBuild dog = drawn_dog();
+  /// In the gallop a back that does not bend leaves less reach, for fast feet swing farther.
+  static CanineBuild build(const std::string& gait) {
+    CanineBuild dog = drawn_dog();
+    if (gait == "gallop") dog.sweep = 70;
+    return dog;
+  }
+  const CanineBuild dog = build(GetParam());
   const CanineGait gait = find_canine_gait(GetParam());
   const VectorXd phases = VectorXd::LinSpaced(frames + 1, 0, 1);
   const LimbTracks tracks = canine_joints(dog, gait, phases);
@@ -32,21 +38,21 @@ class EveryGait : public testing::TestWithParam<std::string> {
 
 TEST_P(EveryGait, SegmentsKeepTheirLengthsAndTheThirdIsParallelToTheFirst) {
   for (std::size_t i = 0; i < 4; ++i) {
-    const CanineLimb& build = limb(i);
+    const CanineLimb& lengths = limb(i);
     for (const Contour& joints : tracks.limbs[i].outlines) {
-      EXPECT_EQ(joints.row(0), build.pivot);
+      EXPECT_EQ(joints.row(0), lengths.pivot);
       for (std::size_t s = 0; s < 3; ++s) {
         const auto row = static_cast<Index>(s);
-        EXPECT_NEAR((joints.row(row + 1) - joints.row(row)).norm(), build.segments[s], 1e-11);
+        EXPECT_NEAR((joints.row(row + 1) - joints.row(row)).norm(), lengths.segments[s], 1e-11);
       }
       const RowVector2d first = joints.row(1) - joints.row(0),
                         third = joints.row(3) - joints.row(2);
       EXPECT_NEAR(first.x() * third.y() - first.y() * third.x(), 0, 1e-10);
       EXPECT_GT(first.dot(third), 0);
       const Index last = joints.rows() - 1;
-      EXPECT_NEAR((joints.row(last) - joints.row(last - 1)).norm(), build.digits, 1e-12);
-      if (build.metacarpus > 0) {
-        EXPECT_NEAR((joints.row(4) - joints.row(3)).norm(), build.metacarpus, 1e-12);
+      EXPECT_NEAR((joints.row(last) - joints.row(last - 1)).norm(), lengths.digits, 1e-12);
+      if (lengths.metacarpus > 0) {
+        EXPECT_NEAR((joints.row(4) - joints.row(3)).norm(), lengths.metacarpus, 1e-12);
       }
     }
   }
