@@ -36,12 +36,12 @@ std::string read_gzip(const std::filesystem::path& path, std::size_t bound) {
     bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
   }
   int error = Z_OK;
-  const char* message = gzerror(file.get(), &error);
+  gzerror(file.get(), &error);
   if (error == Z_ERRNO) {
     throw std::system_error(errno, std::generic_category(), "cannot read " + path.string());
   }
-  // A file that ends too early is found only at its end: Z_BUF_ERROR.
-  if (error != Z_OK && error != Z_STREAM_END) refuse(std::string("damaged gzip: ") + message);
+  if (error == Z_BUF_ERROR) refuse("it ends too early");
+  if (error != Z_OK && error != Z_STREAM_END) refuse("its gzip data are damaged");
   return bytes;
 }
 

@@ -12,7 +12,7 @@ namespace wavecurve::io {
 enum class YAxis { detected, down, up };
 
 struct TrackOptions {
-  std::vector<std::string> limbs;  ///< those that are read; none: all that are there
+  std::vector<std::string> limbs{};  ///< those that are read; none: all that are there
   Eigen::Index samples = 0;        ///< points of an outline, a power of two; 0: as the file has it
   double thickness = 0.12;         ///< of skinned limbs, as a share of the length of their joints
   YAxis y_axis = YAxis::detected;  ///< of tables; in SVG it points down
