@@ -158,7 +158,7 @@ class TableReader {
     } else {
       entry.joint = cells[columns_->joint];
     }
-    entry.point << number_in(cells[columns_->x], line), number_in(cells[columns_->y], line);
+    entry.point = {number_in(cells[columns_->x], line), number_in(cells[columns_->y], line)};
     note(name, line);
     frame.limbs[name].push_back(entry);
   }
