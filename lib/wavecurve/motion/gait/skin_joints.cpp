@@ -1,6 +1,7 @@
 #include "wavecurve/motion/gait/skin_joints.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -54,26 +55,24 @@ std::vector<Contour> without_points(const std::vector<Contour>& joints) {
   return result;
 }
 
-/// One bone's share of the outline, on one side: an arc, a straight piece, an arc.
+/// A part of the outline that belongs to one side of a bone: a line along it, or half of the arc
+/// about one of its joints.
 struct Piece {
   RowVector2d joint, along, normal;  ///< where the bone starts, unit vectors
-  double begin = 0, end = 0;         ///< of the straight piece, from the joint on
-  double before = 0, after = 0;      ///< angles of the arcs, signed as the normal turns
-  double radius = 0;
+  double length = 0, radius = 0;     ///< of the bone
+  double begin = 0, end = 0;         ///< of what is not inside of a bend, from the joint on
+  double place = 0;                  ///< of the centre of an arc
+  double from = 0, to = 0;           ///< angles of an arc, as its normal turns; of a line, none
+  bool arc = false;
 
-  double length() const { return radius * (std::abs(before) + std::abs(after)) + end - begin; }
+  double extent() const { return arc ? radius * std::abs(to - from) : length; }
 
+  /// Inside of a bend, points wait in its corner.
   RowVector2d point(double fraction) const {
-    double left = fraction * length() - radius * std::abs(before);
-    if (left < 0) return round(begin, std::copysign(-left / radius, -before));
-    if (left <= end - begin) return round(begin + left, 0);
-    left -= end - begin;
-    return round(end, std::copysign(left / radius, after));
-  }
-
-  RowVector2d round(double place, double angle) const {
-    const Eigen::Vector2d turned = Eigen::Rotation2Dd(angle) * normal.transpose();
-    return joint + place * along + radius * turned.transpose();
+    const double centre = arc ? place : fraction * length;
+    const Eigen::Rotation2Dd turn(from + fraction * (to - from));
+    const Eigen::Vector2d turned = turn * normal.transpose();
+    return joint + std::clamp(centre, begin, end) * along + radius * turned.transpose();
   }
 };
 
@@ -104,33 +103,51 @@ Bones bones_of(const Contour& chain) {
   return bones;
 }
 
+/// An arc, a line, an arc, from one joint of a bone to the next; side: 1 or -1.
+std::array<Piece, 3> pieces_of(const Contour& chain, const Bones& bones, std::size_t bone,
+                               double side, double radius) {
+  Piece line;
+  line.joint = chain.row(static_cast<Index>(bone));
+  line.along = bones.along[bone];
+  line.normal = side * RowVector2d(line.along.y(), -line.along.x());
+  line.length = line.end = bones.length[bone];
+  line.radius = radius;
+  Piece before = line, after = line;
+  before.arc = after.arc = true;
+  after.place = line.length;
+  const auto bend = [&](std::size_t joint) -> double {
+    const bool tip = joint == 0 || joint == bones.along.size();
+    return tip ? bones.turn[joint] : side * bones.turn[joint];
+  };
+  const double first = bend(bone), last = bend(bone + 1);
+  // Outside of a bend there is an arc; inside the line is shorter.
+  const auto corner = [&](double angle) {
+    return std::min(radius * std::tan(std::abs(angle)), line.length / 2);
+  };
+  if (first > 0)
+    before.from = -side * first;
+  else
+    line.begin = corner(first);
+  if (last > 0)
+    after.to = side * last;
+  else
+    line.end = line.length - corner(last);
+  for (Piece* piece : {&before, &after}) piece->begin = line.begin, piece->end = line.end;
+  return {before, line, after};
+}
+
 /// The pieces in the order of the outline: down on one side, up on the other; the latter are to be
 /// run through from their end to their start.
-std::vector<Piece> pieces_of(const Contour& chain, double radius) {
+std::vector<Piece> outline_of(const Contour& chain, double radius) {
   const Bones bones = bones_of(chain);
   const std::size_t count = bones.along.size();
   std::vector<Piece> pieces;
-  for (std::size_t n = 0; n < 2 * count; ++n) {
-    const bool down = n < count;
-    const std::size_t i = down ? n : 2 * count - 1 - n;
-    const double side = down ? 1 : -1;
-    Piece piece;
-    piece.joint = chain.row(static_cast<Index>(i));
-    piece.along = bones.along[i];
-    piece.normal = side * RowVector2d(piece.along.y(), -piece.along.x());
-    piece.radius = radius;
-    // Inside of a bend there is no arc, and the straight piece is shorter.
-    const auto arc = [&](std::size_t joint, double& straight_end, double direction) {
-      const bool tip = joint == 0 || joint == count;
-      const double half = bones.turn[joint];
-      if (tip || side * half > 0) return side * std::abs(half);
-      straight_end += direction * std::min(radius * std::tan(std::abs(half)), bones.length[i] / 2);
-      return 0.0;
-    };
-    piece.end = bones.length[i];
-    piece.before = arc(i, piece.begin, 1);
-    piece.after = arc(i + 1, piece.end, -1);
-    pieces.push_back(piece);
+  for (std::size_t bone = 0; bone < count; ++bone) {
+    for (const Piece& piece : pieces_of(chain, bones, bone, 1, radius)) pieces.push_back(piece);
+  }
+  for (std::size_t bone = count; bone-- > 0;) {
+    const auto three = pieces_of(chain, bones, bone, -1, radius);
+    pieces.insert(pieces.end(), three.rbegin(), three.rend());
   }
   return pieces;
 }
@@ -142,11 +159,13 @@ std::vector<Contour> skin_joints(const std::vector<Contour>& joints, double radi
   check_samples(samples);
   check(joints, radius);
   std::vector<std::vector<Piece>> frames;
-  for (const Contour& chain : without_points(joints)) frames.push_back(pieces_of(chain, radius));
+  for (const Contour& chain : without_points(joints)) {
+    frames.push_back(outline_of(chain, radius));
+  }
   const std::size_t count = frames[0].size();
   std::vector<double> ends(count, 0.0);
   for (std::size_t n = 0; n < count; ++n) {
-    for (const auto& frame : frames) ends[n] += frame[n].length();
+    for (const auto& frame : frames) ends[n] += frame[n].extent();
     if (n > 0) ends[n] += ends[n - 1];
   }
   std::vector<Contour> outlines(frames.size(), Contour(samples, 2));

@@ -10,11 +10,12 @@ namespace wavecurve {
 /// points at distance `radius` of the bones between neighbouring joints.
 ///
 /// Joints are rows, one matrix a time, from the body to the toe. The outline starts at the tip
-/// beyond the first joint and is clockwise as seen. Each bone has a piece of it on either side,
-/// from the bisector at one of its joints to that at the other: an arc outside of a bend, nothing
-/// inside. Points are uniform within a piece, and each piece has the same points at all times, in
-/// proportion to its mean length over time. So point k is the same point of the limb always, and
-/// moves continuously.
+/// beyond the first joint and is clockwise as seen. Each bone has a line on either side, and half
+/// of the arcs about its joints, to the bisectors there. Points are uniform within these pieces,
+/// each of which has the same points at all times, in proportion to its mean extent over time. So
+/// point k is the same point of the limb always: those of a line keep their places along the bone,
+/// but that inside of a bend they wait in its corner, as do those of the arc; and points move
+/// continuously.
 ///
 /// Bones that are points at all times are left out; one that is so at some time has the direction
 /// of the one before it. Where a bend is sharper than the bones are long (radius * tan(angle / 2) >

@@ -103,6 +103,24 @@ TEST(SkinJoints, PointsMoveContinuouslyWhileALimbBendsToAndFro) {
   }
 }
 
+TEST(SkinJoints, WhatIsOutsideOfABendKeepsItsPlaceOnTheBone) {
+  // The last bone rests while the others bend: so do the sole of the foot and its tip.
+  std::vector<Contour> frames;
+  for (int i = 0; i <= 20; ++i) frames.push_back(joints_of({{-10.0 + i, 0}, {0, 30}, {20, 30}}));
+  const auto outlines = skin_joints(frames, 5, 256);
+  int resting = 0;
+  for (Index k = 0; k < 256; ++k) {
+    const bool sole = outlines[0](k, 1) > 34.999 && outlines[0](k, 0) > 0;
+    if (!sole && outlines[0](k, 0) < 20) continue;
+    ++resting;
+    for (const Contour& outline : outlines) {
+      EXPECT_NEAR((outline.row(k) - outlines[0].row(k)).norm(), 0, 1e-12) << k;
+    }
+  }
+  // The sole and the half circle, 20 + 5 pi of about 2 (32 + 20) + 10 pi + 5.
+  EXPECT_GT(resting, 256 * 35 / 145);
+}
+
 TEST(SkinJoints, JointsThatAlwaysCoincideCountOnce) {
   const RowVector2d a(0, 0), b(4, 30), c(-3, 50);
   const auto plain = skin_joints({joints_of({a, b, c})}, 5, 64);
