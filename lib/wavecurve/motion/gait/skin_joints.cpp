@@ -67,12 +67,12 @@ struct Piece {
 
   double extent() const { return arc ? radius * std::abs(to - from) : length; }
 
-  /// Inside of a bend, points wait in its corner.
+  /// Inside of a bend, the points of the arc wait in the corner.
   RowVector2d point(double fraction) const {
-    const double centre = arc ? place : fraction * length;
+    const double centre = arc ? std::clamp(place, begin, end) : begin + fraction * (end - begin);
     const Eigen::Rotation2Dd turn(from + fraction * (to - from));
     const Eigen::Vector2d turned = turn * normal.transpose();
-    return joint + std::clamp(centre, begin, end) * along + radius * turned.transpose();
+    return joint + centre * along + radius * turned.transpose();
   }
 };
 

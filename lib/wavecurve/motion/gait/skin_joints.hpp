@@ -13,9 +13,9 @@ namespace wavecurve {
 /// beyond the first joint and is clockwise as seen. Each bone has a line on either side, and half
 /// of the arcs about its joints, to the bisectors there. Points are uniform within these pieces,
 /// each of which has the same points at all times, in proportion to its mean extent over time. So
-/// point k is the same point of the limb always: those of a line keep their places along the bone,
-/// but that inside of a bend they wait in its corner, as do those of the arc; and points move
-/// continuously.
+/// point k is the same point of the limb always, and moves continuously: outside of a bend it keeps
+/// its place on the bone; inside, where lines are shorter, points gather towards the bone's middle,
+/// and those of an arc wait in its corner.
 ///
 /// Bones that are points at all times are left out; one that is so at some time has the direction
 /// of the one before it. Where a bend is sharper than the bones are long (radius * tan(angle / 2) >
