@@ -111,15 +111,16 @@ Chart curves_chart(const std::vector<PhaseData>& data, const Coordinate& coordin
   }
   append_curves(data, coordinate, coefficient, chart.data);
   append_samples(data, coefficient, chart.data);
+  // Of each model, the curve of A and the curve of B, in the same dashes.
   chart.script =
-      "set datafile missing \"-\"\nset xlabel \"\u03c4\"\nset ylabel \"f\"\nset key width -2\n"
+      "set datafile missing \"-\"\nset xlabel \"\u03c4\"\nset ylabel \"f\"\nset key width -4\n"
       "plot data using 1:2 with points pointtype 6 pointsize 1 linecolor rgb \"#1f5a96\", "
       "'' using 1:3 with points pointtype 2 pointsize 1 linecolor rgb \"#b3541e\", "
       "'' using 1:4 with lines linewidth 1 linecolor rgb \"#999999\" title \"linear\", "
       "for [i=1:4] '' using 1:(column(2*i+4)) with lines linecolor rgb \"#1f5a96\" "
-      "linewidth 1.5 dashtype i, "
+      "linewidth 1.5 dashtype i title columnheader(2*i+4), "
       "for [i=1:4] '' using 1:(column(2*i+5)) with lines linecolor rgb \"#b3541e\" "
-      "linewidth 1.5 dashtype i\n";
+      "linewidth 1.5 dashtype i title columnheader(2*i+5)\n";
   return chart;
 }
 

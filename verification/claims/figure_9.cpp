@@ -204,9 +204,9 @@ Outcome evaluate() {
       100 * largest_difference(two_keys, sources[0].stances));
   outcome.summary =
       "The video is lost; the dog of docs/examples/dog-walk.csv walks by published timings. A foot "
-      "counts as standing while it moves backwards at more than half of the ground's speed. Left "
-      "and "
-      "right do the same, half a cycle apart.";
+      "counts as standing while it moves backwards at more than about half of the ground's speed; "
+      "since feet come down and leave with that of the ground, stances so told are longer than the "
+      "contact. Left and right do the same, half a cycle apart.";
   outcome.evidence = {picture, quality_table({"stance", "swing"}, {GaitModel::quadratic})};
   return outcome;
 }
