@@ -52,7 +52,7 @@ class ReadLimbTracks : public testing::Test {
 };
 
 /// The walk of the drawn dog as contours, `count` points each, in a table.
-std::string contour_table(Eigen::Index count, double direction_of_y) {
+std::string contour_table(Eigen::Index count, double direction_of_y, bool reversed = false) {
   const LimbTracks joints = canine_joints(drawn_dog(), find_canine_gait("walk"),
                                           Eigen::VectorXd::LinSpaced(24, 0, 23.0 / 16));
   std::string text = "frame,limb,k,x,y\n";
@@ -60,7 +60,8 @@ std::string contour_table(Eigen::Index count, double direction_of_y) {
     const auto outlines = skin_joints(limb.outlines, 8, 256);
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       for (Eigen::Index k = 0; k < count; ++k) {
-        const Eigen::RowVector2d point = outlines[i].row(k * 256 / count);
+        const Eigen::Index from = reversed ? (count - k) % count : k;
+        const Eigen::RowVector2d point = outlines[i].row(from * 256 / count);
         text +=
             fmt::format("{},{},{},{},{}\n", i, limb.limb, k, point.x(), direction_of_y * point.y());
       }
@@ -96,6 +97,15 @@ TEST_F(ReadLimbTracks, OutlinesThatCorrespondStayAsTheyAre) {
   ASSERT_EQ(tracks.limbs.at(0).outlines.at(5).rows(), 128);
   for (Eigen::Index k = 0; k < 128; ++k) {
     EXPECT_LT((tracks.limbs[0].outlines[5].row(k) - outlines[5].row(2 * k)).norm(), 1e-12);
+  }
+}
+
+TEST_F(ReadLimbTracks, OutlinesBecomeClockwiseFromTheSamePoint) {
+  const LimbTracks plain = read_limb_tracks({write("a.csv", contour_table(128, 1))});
+  const LimbTracks reversed = read_limb_tracks({write("b.csv", contour_table(128, 1, true))});
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_GT(signed_area(reversed.limbs[i].outlines[7]), 0);
+    EXPECT_EQ(reversed.limbs[i].outlines[7], plain.limbs[i].outlines[7]);
   }
 }
 
