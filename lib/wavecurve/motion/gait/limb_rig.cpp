@@ -15,10 +15,15 @@ using Eigen::Index;
 constexpr double most_hinge_shift = 0.08;  ///< of the limb's length: a trunk does not stretch
 constexpr Index around = 3;  ///< pieces of the midline on either side that turn with one
 
+/// Of the open polygon.
 double length(const Contour& nodes) {
   double sum = 0;
   for (Index i = 0; i + 1 < nodes.rows(); ++i) sum += (nodes.row(i + 1) - nodes.row(i)).norm();
   return sum;
+}
+
+double perimeter(const Contour& outline) {
+  return length(outline) + (outline.row(0) - outline.row(outline.rows() - 1)).norm();
 }
 
 /// The share of the outline's length at which a point lies, from the first on.
@@ -54,7 +59,7 @@ LimbRig::LimbRig(const Contour& reference, Index foot, const Contour& drawn)
       drawn_(drawn),
       drawn_midline_(drawn, drawn_foot(reference, foot, drawn)),
       drawn_nodes_(drawn_midline_.nodes(drawn)),
-      scale_(length(drawn_nodes_) / length(reference_nodes_)) {}
+      scale_(perimeter(drawn) / perimeter(reference)) {}
 
 Eigen::RowVector2d LimbRig::hinge_shift(const Contour& recorded) const {
   const Eigen::RowVector2d shift =

@@ -43,7 +43,7 @@ class LimbRig {
   Contour drawn_;
   Midline drawn_midline_;
   Contour drawn_nodes_;
-  double scale_;  ///< drawn over recorded length
+  double scale_;  ///< drawn over recorded length of the outline
 };
 
 }  // namespace wavecurve
