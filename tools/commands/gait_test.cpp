@@ -121,7 +121,7 @@ TEST_F(GaitCommand, RefusesBadTracks) {
   refuse(table(24, 3, usual_line), "3");
   refuse(table(24, 4,
                [](const std::string& limb, int frame, int k) {
-                 return frame == 7 && k == 1 ? "7," + limb + ",1,nan,2\n"
+                 return frame == 7 && k == 1 ? std::string("7,").append(limb).append(",1,nan,2\n")
                                              : usual_line(limb, frame, k);
                }),
          "nan");
