@@ -31,7 +31,8 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> tracks;
-  std::string output, filter = "bspline4.4", model;
+  std::string output, filter = "bspline4.4";
+  std::vector<std::string> models;
   io::TrackOptions reading;
   std::string scale = "64";
   std::vector<double> key_frames;
@@ -61,7 +62,8 @@ std::optional<Eigen::Index> scale_of(const std::string& text) {
 void fit(const FitOptions& options) {
   GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
   how.scale = scale_of(options.scale);
-  if (!options.model.empty()) how.model = named_model(options.model);
+  if (!options.models.empty()) how.models.clear();
+  for (const std::string& name : options.models) how.models.push_back(named_model(name));
   if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
   const LimbTracks tracks =
       io::read_limb_tracks({options.tracks.begin(), options.tracks.end()}, options.reading);
@@ -98,8 +100,11 @@ void add_fit(CLI::App* gait) {
           "of the period later")
       ->delimiter(',')
       ->expected(2);
-  command->add_option("--model", options->model,
-                      "Of all phases; of each the one with the least cross-validated error");
+  command
+      ->add_option("--model", options->models,
+                   "Models, a,b,...: the one of the least cross-validated error is taken; of all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->callback([options] { fit(*options); });
 }
 

@@ -43,7 +43,7 @@ class GaitParametersFile : public testing::Test {
     plan.noise = 0.1;
     GaitFitOptions options{find_filter_bank("bspline4.4"), "bspline4.4"};
     options.scale = 8;
-    options.model = model;
+    if (model) options.models = {*model};
     return fit_gait(plan.tracks(), options).parameters;
   }
 

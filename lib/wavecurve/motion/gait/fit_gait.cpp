@@ -113,10 +113,10 @@ std::size_t best(const std::vector<ModelFit>& models) {
 /// All models of one phase, and their quality.
 std::vector<ModelFit> fit_models(const LimbFit& limb, std::size_t phase,
                                  const ModelSetting& setting, double stride, double excursion,
-                                 GaitParameters& parameters) {
+                                 const GaitFitOptions& options, GaitParameters& parameters) {
   const PhaseData& data = limb.phases[phase];
   std::vector<ModelFit> models;
-  for (GaitModel model : gait_models) {
+  for (GaitModel model : options.models) {
     const ModelFit fit = fit_model(model, limb.phases, phase, setting);
     parameters.quality.push_back({limb.limb, data.phase, model, fit.residual / stride,
                                   fit.cross_validated / stride, fit.foot_residual / excursion,
@@ -135,10 +135,10 @@ LimbFit fit_limb(const LimbCycle& limb, const GaitCycle& cycle, const Eigen::Vec
                              fourier_terms(fit.phases), limb.foot};
   LimbPath path{limb.limb, limb.foot, limb.touch_down, {}};
   for (std::size_t phase : {0U, 1U}) {
-    fit.models.push_back(fit_models(fit, phase, setting, cycle.stride, limb.excursion, parameters));
+    fit.models.push_back(
+        fit_models(fit, phase, setting, cycle.stride, limb.excursion, options, parameters));
     const std::vector<ModelFit>& models = fit.models.back();
-    const std::size_t chosen =
-        options.model ? static_cast<std::size_t>(*options.model) : best(models);
+    const std::size_t chosen = best(models);
     path.spans.push_back({fit.phases[phase].phase,
                           phase == 0 ? limb.duty_factor : 1 - limb.duty_factor,
                           mean_key(fit.phases, phase == 0), models[chosen].motion});
@@ -152,6 +152,7 @@ LimbFit fit_limb(const LimbCycle& limb, const GaitCycle& cycle, const Eigen::Vec
 }  // namespace
 
 GaitFit fit_gait(const LimbTracks& tracks, const GaitFitOptions& options) {
+  if (options.models.empty()) throw std::invalid_argument("there is no model to fit");
   GaitFit fit;
   fit.cycle = analyse_cycle(tracks);
   const LimbTracks points = control_point_tracks(tracks, fit.cycle, options);

@@ -17,7 +17,7 @@ namespace wavecurve {
 struct LimbFit {
   std::string limb;
   std::vector<PhaseData> phases;              ///< stance, swing
-  std::vector<std::vector<ModelFit>> models;  ///< of each phase, in the order of gait_models
+  std::vector<std::vector<ModelFit>> models;  ///< of each phase, in the order of the options'
 };
 
 struct GaitFitOptions {
@@ -27,8 +27,9 @@ struct GaitFitOptions {
   std::optional<Eigen::Index> scale{};
   /// Times of key frames 1 and 2; none: LF's first lift-off, and a quarter of the period later.
   std::optional<std::array<double, 2>> key_frames{};
-  /// The model of all phases; none: of each the one of the least cross-validated error.
-  std::optional<GaitModel> model{};
+  /// Those that are fitted; each phase takes the one of the least cross-validated error, of equal
+  /// ones the first.
+  std::vector<GaitModel> models{gait_models.begin(), gait_models.end()};
 };
 
 struct GaitFit {
@@ -38,14 +39,14 @@ struct GaitFit {
   GaitParameters parameters;
 };
 
-/// Fits all models to all limbs and phases, in the control points of a scale: the K scaling
+/// Fits the models to all limbs and phases, in the control points of a scale: the K scaling
 /// coefficients of the contour at that scale (publication, (2.8) and section 4.2), in units of the
 /// drawing; at the finest scale, the points themselves. Coefficients that move by less than 1 % of
 /// the foot's excursion have no gamma of their own.
 /// Throws as analyse_cycle does, and std::invalid_argument for outlines whose number of points is
 /// no power of two, a scale that is none from 4 to that number, a phase without a complete run or
-/// without a frame inside, and key frames that are outside the record, equal, or half a period
-/// apart or more.
+/// without a frame inside, no model, and key frames that are outside the record, equal, or half a
+/// period apart or more.
 GaitFit fit_gait(const LimbTracks& tracks, const GaitFitOptions& options);
 
 }  // namespace wavecurve

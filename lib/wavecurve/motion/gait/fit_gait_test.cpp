@@ -120,7 +120,7 @@ TEST(FitGait, ChoosesByCyclesThatAreLeftOut) {
     }
   }
   GaitFitOptions options = options_at(16);
-  options.model = GaitModel::oscillator;
+  options.models = {GaitModel::oscillator};
   for (const LimbPath& path : fit_gait(plan.tracks(), options).parameters.limbs) {
     EXPECT_EQ(path.spans[1].motion.model, GaitModel::oscillator);
   }

@@ -11,6 +11,7 @@ namespace wavecurve {
 namespace {
 
 using Eigen::Index;
+using Eigen::RowVector2d;
 
 constexpr double most_hinge_shift = 0.08;  ///< of the limb's length: a trunk does not stretch
 constexpr Index around = 3;  ///< pieces of the midline on either side that turn with one
@@ -45,9 +46,9 @@ Index drawn_foot(const Contour& reference, Index foot, const Contour& drawn) {
   return (at + best_shift(uniform, drawn)) % drawn.rows();
 }
 
-Eigen::RowVector2d turned(const Eigen::RowVector2d& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+/// By the angle whose cosine and sine are given.
+RowVector2d turned(const RowVector2d& v, const RowVector2d& turn) {
+  return {turn.x() * v.x() - turn.y() * v.y(), turn.y() * v.x() + turn.x() * v.y()};
 }
 
 }  // namespace
@@ -59,11 +60,25 @@ LimbRig::LimbRig(const Contour& reference, Index foot, const Contour& drawn)
       drawn_(drawn),
       drawn_midline_(drawn, drawn_foot(reference, foot, drawn)),
       drawn_nodes_(drawn_midline_.nodes(drawn)),
-      scale_(perimeter(drawn) / perimeter(reference)) {}
+      scale_(perimeter(drawn) / perimeter(reference)) {
+  const Index pieces = drawn_nodes_.rows() - 1;
+  for (Index p = 0; p < drawn_.rows(); ++p) {
+    Hold hold;
+    const double place = drawn_midline_.shares()[p] * static_cast<double>(pieces);
+    hold.piece = std::min(static_cast<Index>(place), pieces - 1);
+    hold.share = place - static_cast<double>(hold.piece);
+    // Between the middles of pieces turns are linear, so that the outline has no kinks.
+    const double centre = std::clamp(place - 0.5, 0.0, static_cast<double>(pieces - 1));
+    hold.turn = std::min(static_cast<Index>(centre), pieces - 2);
+    hold.turn_share = centre - static_cast<double>(hold.turn);
+    hold.offset = drawn_.row(p) - (1 - hold.share) * drawn_nodes_.row(hold.piece) -
+                  hold.share * drawn_nodes_.row(hold.piece + 1);
+    holds_.push_back(hold);
+  }
+}
 
-Eigen::RowVector2d LimbRig::hinge_shift(const Contour& recorded) const {
-  const Eigen::RowVector2d shift =
-      scale_ * (recorded_midline_.nodes(recorded).row(0) - reference_hinge_);
+RowVector2d LimbRig::hinge_shift(const Contour& recorded) const {
+  const RowVector2d shift = scale_ * (recorded_midline_.nodes(recorded).row(0) - reference_hinge_);
   const double most = most_hinge_shift * length(drawn_nodes_);
   return most * (shift / most).array().tanh().matrix();
 }
@@ -80,33 +95,26 @@ double LimbRig::recorded_lean(const Contour& recorded) const {
 Contour LimbRig::pose(const Contour& recorded) const {
   const Contour now = recorded_midline_.nodes(recorded);
   const Index pieces = now.rows() - 1;
-  Eigen::VectorXd angle(pieces);
-  Contour nodes(now.rows(), 2);
+  Contour turns(pieces, 2), nodes(now.rows(), 2);  // cosines and sines; of the drawn limb
   nodes.row(0) = drawn_nodes_.row(0);
   for (Index i = 0; i < pieces; ++i) {
     // Over more than a piece, since an outline's pieces turn more roughly than the limb.
     const Index first = std::max<Index>(i - around, 0), last = std::min(i + 1 + around, pieces);
-    const Eigen::RowVector2d before = reference_nodes_.row(last) - reference_nodes_.row(first);
-    const Eigen::RowVector2d after = now.row(last) - now.row(first);
-    angle[i] = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+    const RowVector2d before = reference_nodes_.row(last) - reference_nodes_.row(first);
+    const RowVector2d after = now.row(last) - now.row(first);
+    turns.row(i) << before.dot(after), before.x() * after.y() - before.y() * after.x();
+    turns.row(i).normalize();
     nodes.row(i + 1) =
-        nodes.row(i) + turned(drawn_nodes_.row(i + 1) - drawn_nodes_.row(i), angle[i]);
+        nodes.row(i) + turned(drawn_nodes_.row(i + 1) - drawn_nodes_.row(i), turns.row(i));
   }
   Contour points(drawn_.rows(), 2);
   for (Index p = 0; p < points.rows(); ++p) {
-    const double share = drawn_midline_.shares()[p];
-    const double place = share * static_cast<double>(pieces);
-    const Index i = std::min(static_cast<Index>(place), pieces - 1);
-    const double rest = place - static_cast<double>(i);
-    const Eigen::RowVector2d was =
-        (1 - rest) * drawn_nodes_.row(i) + rest * drawn_nodes_.row(i + 1);
-    const Eigen::RowVector2d is = (1 - rest) * nodes.row(i) + rest * nodes.row(i + 1);
-    // Between the middles of the pieces the angle is linear, so that the outline has no kinks.
-    const double centre = std::clamp(place - 0.5, 0.0, static_cast<double>(pieces - 1));
-    const Index j = std::min(static_cast<Index>(centre), pieces - 2);
-    const double weight = centre - static_cast<double>(j);
-    const double turn = (1 - weight) * angle[j] + weight * angle[j + 1];
-    points.row(p) = is + turned(drawn_.row(p) - was, turn);
+    const Hold& hold = holds_[static_cast<std::size_t>(p)];
+    const RowVector2d on_midline =
+        (1 - hold.share) * nodes.row(hold.piece) + hold.share * nodes.row(hold.piece + 1);
+    const RowVector2d turn =
+        (1 - hold.turn_share) * turns.row(hold.turn) + hold.turn_share * turns.row(hold.turn + 1);
+    points.row(p) = on_midline + turned(hold.offset, turn.normalized());
   }
   return points;
 }

@@ -37,6 +37,13 @@ class LimbRig {
   double hinge_x() const { return drawn_nodes_(0, 0); }
 
  private:
+  /// Where a drawn point is held by the midline.
+  struct Hold {
+    Eigen::Index piece = 0, turn = 0;  ///< between nodes, between pieces
+    double share = 0, turn_share = 0;  ///< of the next one
+    Eigen::RowVector2d offset;         ///< from there, at rest
+  };
+
   Midline recorded_midline_;
   Contour reference_nodes_;
   Eigen::RowVector2d reference_hinge_;
@@ -44,6 +51,7 @@ class LimbRig {
   Midline drawn_midline_;
   Contour drawn_nodes_;
   double scale_;  ///< drawn over recorded length of the outline
+  std::vector<Hold> holds_;
 };
 
 }  // namespace wavecurve
