@@ -37,6 +37,41 @@ std::string footfalls(const GaitParameters& parameters) {
   return text + '\n';
 }
 
+/// The foot's fore-aft way through the cycle, of a pair of limbs: L, R, and B where both are.
+std::string foot_ways(const GaitParameters& parameters, char pair) {
+  constexpr int rows = 9, columns = 50;
+  std::vector<LimbPath> feet;
+  for (const LimbPath& path : parameters.limbs) {
+    if (path.limb.size() == 2 && path.limb[1] == pair) {
+      feet.push_back(path_of_point(path, path.foot));
+    }
+  }
+  if (feet.empty()) return "";
+  const auto forwards = [&](const LimbPath& foot, int column) {
+    return parameters.facing * pose_at(foot, (column + 0.5) / columns)(0, 0);
+  };
+  double most = forwards(feet[0], 0), least = most;
+  for (const LimbPath& foot : feet) {
+    for (int i = 0; i < columns; ++i) {
+      most = std::max(most, forwards(foot, i));
+      least = std::min(least, forwards(foot, i));
+    }
+  }
+  std::vector<std::string> lines(rows, std::string(columns, ' '));
+  for (const LimbPath& foot : feet) {
+    for (int i = 0; i < columns; ++i) {
+      const double share = (most - forwards(foot, i)) / (most - least);
+      const auto row = static_cast<std::size_t>(std::lround(share * (rows - 1)));
+      char& mark = lines[row][static_cast<std::size_t>(i)];
+      mark = mark == ' ' ? foot.limb[0] : 'B';
+    }
+  }
+  std::string text =
+      fmt::format("{} feet, forwards up, by {:.4g}\n", pair == 'F' ? "fore" : "hind", most - least);
+  for (const std::string& line : lines) text += fmt::format("{:31}|{}|\n", "", line);
+  return text + '\n';
+}
+
 /// The model that a phase of a limb is drawn by.
 GaitModel chosen(const GaitParameters& parameters, const FitQuality& quality) {
   for (const LimbPath& path : parameters.limbs) {
@@ -90,8 +125,8 @@ std::string gait_summary(const GaitParameters& parameters) {
 }
 
 std::string gait_table(const GaitParameters& parameters) {
-  return heading(parameters) + footfalls(parameters) + residuals(parameters, false) + '\n' +
-         gammas(parameters);
+  return heading(parameters) + footfalls(parameters) + foot_ways(parameters, 'F') +
+         foot_ways(parameters, 'H') + residuals(parameters, false) + '\n' + gammas(parameters);
 }
 
 }  // namespace wavecurve::tools
