@@ -22,6 +22,7 @@ libflint-arb-dev      header:flint/arb.h header:arb.h
 libsvgpp-dev          header:svgpp/svgpp.hpp
 libxml2-dev           header:libxml2/libxml/tree.h
 libpng-dev            header:png.h
+zlib1g-dev            header:zlib.h
 libfmt-dev            header:fmt/format.h
 nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp

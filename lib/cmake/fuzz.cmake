@@ -1,5 +1,5 @@
-# Fuzzes the readers of drawings for half a minute each, as tests, where clang and its fuzzer runtime
-# are there. The tests build the fuzzers themselves, beside everything else.
+# Fuzzes the readers of drawings and tracks for half a minute each, as tests, where clang and its
+# fuzzer runtime are there. The tests build the fuzzers themselves, beside everything else.
 find_program(WAVECURVE_CLANG clang++)
 set(fuzz_dir ${CMAKE_CURRENT_BINARY_DIR}/fuzz)
 if(WAVECURVE_CLANG AND NOT DEFINED WAVECURVE_FUZZER_RUNTIME)
@@ -26,7 +26,7 @@ add_test(NAME fuzz.build
                  --build-generator Ninja --build-noclean
                  --build-options -DCMAKE_CXX_COMPILER=${WAVECURVE_CLANG})
 set_tests_properties(fuzz.build PROPERTIES FIXTURES_SETUP fuzzers)
-foreach(reader IN ITEMS svg csv)
+foreach(reader IN ITEMS svg csv tracks)
   file(MAKE_DIRECTORY ${fuzz_dir}/found/${reader})
   add_test(NAME fuzz.${reader}
            COMMAND ${fuzz_dir}/fuzz_${reader} -max_total_time=30 -max_len=4096 -timeout=10 -verbosity=0

@@ -23,6 +23,7 @@ void add_morph_command(CLI::App& app, ExitCode& exit_code);
 void add_describe_command(CLI::App& app, ExitCode& exit_code);
 void add_reconstruct_command(CLI::App& app, ExitCode& exit_code);
 void add_compare_command(CLI::App& app, ExitCode& exit_code);
+void add_gait_command(CLI::App& app, ExitCode& exit_code);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace wavecurve::tools

@@ -1,0 +1,235 @@
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "wavecurve/io/animation_sheet.hpp"
+#include "wavecurve/io/gait_parameters_json.hpp"
+#include "wavecurve/io/load_filter.hpp"
+#include "wavecurve/io/read_drawing.hpp"
+#include "wavecurve/io/read_limb_tracks.hpp"
+#include "wavecurve/io/write_animation.hpp"
+#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/motion/gait/fit_gait.hpp"
+#include "wavecurve/motion/gait/gait_animation.hpp"
+
+#include "commands.hpp"
+#include "gait_table.hpp"
+#include "progress.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+// fit
+
+struct FitOptions {
+  std::vector<std::string> tracks;
+  std::string output, filter = "bspline4.4";
+  std::vector<std::string> models;
+  io::TrackOptions reading;
+  std::string scale = "64";
+  std::vector<double> key_frames;
+};
+
+GaitModel named_model(const std::string& name) {
+  if (const auto model = find_gait_model(name)) return *model;
+  std::string known;
+  for (GaitModel model : gait_models) {
+    known += (known.empty() ? "" : ", ") + std::string(model_name(model));
+  }
+  throw std::invalid_argument(fmt::format("there is no model '{}'; there are {}", name, known));
+}
+
+/// None: all points.
+std::optional<Eigen::Index> scale_of(const std::string& text) {
+  if (text == "full") return std::nullopt;
+  Eigen::Index scale = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::invalid_argument(
+        fmt::format("--scale takes a number of control points or full, not '{}'", text));
+  }
+  return scale;
+}
+
+void fit(const FitOptions& options) {
+  GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
+  how.scale = scale_of(options.scale);
+  if (!options.models.empty()) how.models.clear();
+  for (const std::string& name : options.models) how.models.push_back(named_model(name));
+  if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
+  const LimbTracks tracks =
+      io::read_limb_tracks({options.tracks.begin(), options.tracks.end()}, options.reading);
+  const GaitFit fitted = fit_gait(tracks, how);
+  io::write_file(options.output, io::gait_parameters_json(fitted.parameters));
+  if (fitted.cycle.is_loop) fmt::print("the record ends where it begins: one cycle\n");
+  fmt::print("{}", gait_summary(fitted.parameters));
+}
+
+void add_fit(CLI::App* gait) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* command = gait->add_subcommand("fit", "Motion parameters from traced contours");
+  command
+      ->add_option("TRACKS", options->tracks,
+                   "A table of contours or joints (.csv, .csv.gz), SVG frames, or a folder of them")
+      ->required();
+  command->add_option("-o,--output", options->output, "The parameters, .json")->required();
+  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+      ->capture_default_str();
+  command
+      ->add_option("--scale", options->scale,
+                   "Control points of an outline, a power of two from 4 on, or full")
+      ->capture_default_str();
+  command->add_option("--samples", options->reading.samples,
+                      "Points of an outline, a power of two; as the file has it");
+  command
+      ->add_option("--thickness", options->reading.thickness,
+                   "Of limbs that are given by joints, as a share of their length")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--key-frames", options->key_frames,
+          "Times t1,t2 of the publication's key frames; LF's first lift-off, and a quarter "
+          "of the period later")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      ->add_option("--model", options->models,
+                   "Models, a,b,...: the one of the least cross-validated error is taken; of all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->callback([options] { fit(*options); });
+}
+
+// synthesize
+
+struct SynthesisOptions {
+  std::string parameters, drawing, output, gait;
+  GaitAnimationOptions animation;
+  std::optional<double> period;
+  bool smooth = false, sheet = false;
+  double tolerance = 0;
+};
+
+/// Seconds of a cycle: the record's, if that can be seconds and not numbers of frames.
+double cycle_duration(const SynthesisOptions& options, const GaitParameters& parameters) {
+  if (options.period) return *options.period;
+  return parameters.period >= 0.1 && parameters.period <= 4 ? parameters.period : 1;
+}
+
+/// Without the last frame, which is the first: what a film of frames shows.
+Animation open_loop(Animation animation, int frames) {
+  for (AnimatedLayer& layer : animation.layers) layer.outline.pop_back();
+  animation.duration *= static_cast<double>(frames - 1) / frames;
+  return animation;
+}
+
+void write(const SynthesisOptions& options, const GaitAnimation& walk) {
+  Progress progress("frames");
+  io::OutputOptions output;
+  output.loop = true;
+  output.tolerance = options.tolerance;
+  output.progress = [&](int done, int all) {
+    progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
+  };
+  const int frames = options.animation.frames;
+  if (options.sheet) {
+    output.frames = frames;
+    return io::write_file(options.output,
+                          io::animation_sheet(open_loop(walk.animation, frames), output));
+  }
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  const bool is_film =
+      ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".png";
+  output.frames = is_film ? frames : frames + 1;
+  io::write_animation(options.output, is_film ? open_loop(walk.animation, frames) : walk.animation,
+                      output);
+}
+
+void synthesize(const SynthesisOptions& options) {
+  if (options.sheet && !options.output.ends_with(".svg")) {
+    throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
+  }
+  GaitAnimationOptions how = options.animation;
+  if (!options.gait.empty()) how.gait = find_canine_gait(options.gait);
+  const GaitParameters parameters = io::read_gait_parameters(options.parameters);
+  how.bank = io::load_filter_bank(parameters.filter);
+  how.cycle_duration = cycle_duration(options, parameters);
+  if (options.smooth) how.continuity = Continuity::velocity;
+  io::DrawingFile drawing = io::read_drawing(options.drawing);
+  for (const std::string& warning : drawing.warnings) {
+    fmt::print(stderr, "wavecurve: {}: {}\n", options.drawing, warning);
+  }
+  const GaitAnimation walk = animate_gait(parameters, drawing.drawing, how);
+  write(options, walk);
+  fmt::print(
+      "stride {:.4g} units of the drawing, {:.4g} seconds a cycle\n"
+      "standing feet slide by at most {:.2f} % of the stride, and are off the ground by {:.2f} %\n"
+      "(before they were held to the ground they slid by {:.2f} %)\n",
+      walk.stride, how.cycle_duration, 100 * walk.slide, 100 * walk.lift, 100 * walk.slide_before);
+}
+
+void add_synthesize(CLI::App* gait) {
+  auto options = std::make_shared<SynthesisOptions>();
+  CLI::App* command =
+      gait->add_subcommand("synthesize", "A drawing that walks by fitted parameters");
+  command->add_option("PARAMS", options->parameters, "Written by gait fit, .json")->required();
+  command
+      ->add_option("DRAWING", options->drawing,
+                   "An .svg with the layers LF, RF, LH, RH, and others")
+      ->required();
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
+      ->required();
+  command->add_option("--gait", options->gait, "walk, trot, pace or gallop; as recorded");
+  command->add_option("--frames", options->animation.frames, "Of all cycles")
+      ->capture_default_str();
+  command->add_option("--cycles", options->animation.cycles, "Cycles")->capture_default_str();
+  command->add_option("--scale", options->animation.scale,
+                      "Control points a contour, a power of two from 4 on; all points");
+  command->add_option("--samples", options->animation.samples, "Points a contour, a power of two")
+      ->capture_default_str();
+  command->add_option("--period", options->period,
+                      "Seconds of a cycle; the record's, or 1 where its times number frames");
+  command->add_flag("--smooth", options->smooth,
+                    "Equal velocities on both sides of each key frame, not places alone");
+  command->add_flag("--subcycles", options->animation.subcycles,
+                    "The publication's cycle: A to D from two key frames and gammas");
+  command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->capture_default_str();
+  command->callback([options] { synthesize(*options); });
+}
+
+// show
+
+void add_show(CLI::App* gait) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* command = gait->add_subcommand("show", "What fitted parameters say, as tables");
+  command->add_option("PARAMS", *path, "Written by gait fit, .json")->required();
+  command->callback([path] { fmt::print("{}", gait_table(io::read_gait_parameters(*path))); });
+}
+
+}  // namespace
+
+void add_gait_command(CLI::App& app, ExitCode&) {
+  CLI::App* gait =
+      app.add_subcommand("gait", "Motion parameters of a gait, and drawings that walk by them");
+  gait->require_subcommand(1);
+  add_fit(gait);
+  add_synthesize(gait);
+  add_show(gait);
+}
+
+}  // namespace wavecurve::tools
