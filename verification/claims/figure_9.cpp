@@ -100,8 +100,8 @@ std::string foot_svg(const LimbPath& path, const CyclePart& stance, double zero,
     return fmt::format("{:.2f} {:.2f}", right_panel + share * width,
                        y - scale * (place(share) - mean));
   };
-  std::string line = "M" + point(0), svg;
-  for (int i = 1; i <= marks; ++i) line += "L" + point(i);
+  std::string line = fmt::format("M{}", point(0)), svg;
+  for (int i = 1; i <= marks; ++i) line += fmt::format("L{}", point(i));
   for (int i = 0; i < marks; ++i) {
     const bool stands = stance.since(static_cast<double>(i) / marks) < stance.length;
     svg += fmt::format(
