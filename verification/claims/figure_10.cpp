@@ -35,7 +35,7 @@ std::string legend() {
        {std::pair{first, "key frame 1"}, std::pair{between, "frames between"},
         std::pair{second, "key frame 2"}}) {
     svg +=
-        fmt::format("<path fill=\"none\" {} d=\"M238 {}h26\"/><text x=\"270\" y=\"{}\">{}</text>\n",
+        fmt::format("<path fill=\"none\" {} d=\"M248 {}h26\"/><text x=\"280\" y=\"{}\">{}</text>\n",
                     style, y - 3, y, text);
     y += 13;
   }
