@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   add_describe_command(app, exit_code);
   add_reconstruct_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_bench_command(app, exit_code);
   add_verify_command(app, exit_code);
   try {
     app.parse(argc, argv);
