@@ -130,7 +130,7 @@ std::string to_text(const Comparison& comparison, bool all) {
   for (const Row& row : by_verdict(comparison)) {
     if (all || row.verdict != Verdict::same) lines.push_back(cells(row));
   }
-  if (lines.size() > 1) text += "\n" + aligned(lines) + "\n";
+  if (lines.size() > 1) text += fmt::format("\n{}\n", aligned(lines));
   return text + summary(comparison) + "\n";
 }
 

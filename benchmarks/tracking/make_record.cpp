@@ -19,7 +19,7 @@ std::vector<CountedKernel> counted_kernels(const Build& build) {
   for (const Json& kernel : ask(build, "--kernels")) {
     if (kernel.value("plain", false)) continue;
     list.push_back({kernel["name"].get<std::string>(), kernel["size"].get<long>(),
-                    kernel["counted_runs"].get<long>()});
+                    kernel.value("counted_runs", 1L)});
   }
   return list;
 }
