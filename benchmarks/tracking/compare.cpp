@@ -167,8 +167,7 @@ std::map<std::string, std::vector<double>> recorded_times(const Json& record) {
   std::map<std::string, std::vector<double>> times;
   for (const Json& entry : record.value("benchmarks", Json::array())) {
     if (!entry.contains("cpu_time")) continue;
-    const std::string unit = entry["time_unit"].get<std::string>();
-    const double scale = unit == "ns" ? 1e-9 : unit == "us" ? 1e-6 : unit == "ms" ? 1e-3 : 1;
+    const double scale = seconds_of_unit(entry["time_unit"].get<std::string>());
     for (const Json& time : entry["cpu_time"]) {
       times[entry["name"].get<std::string>()].push_back(time.get<double>() * scale);
     }

@@ -20,7 +20,7 @@ struct Check {
 /// - the slowed copies against it: 1 % and 5 % found by counts, 20 % by times, nothing else;
 /// - the growth of every kernel against the stated one, and that of two twins that are N^2;
 /// - accuracies against themselves, and with one worsened.
-/// The short form times three kernels with few blocks, else all with as many as `compare`.
+/// The short form times two kernels with few blocks, else all with as many as `compare`.
 /// Without valgrind what counts is left out, and said so.
 std::vector<Check> self_test(const Build& build, bool is_short, const Say& say);
 

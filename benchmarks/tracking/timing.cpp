@@ -29,12 +29,6 @@ std::string escaped(const std::string& name) {
   return pattern + "$";
 }
 
-double seconds_of_unit(const std::string& unit) {
-  if (unit == "ns") return 1e-9;
-  if (unit == "us") return 1e-6;
-  return unit == "ms" ? 1e-3 : 1;
-}
-
 /// Reads what the program writes into a file, for some print tables of their own.
 Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
   std::string file = (fs::temp_directory_path() / "wavecurve_benchmark.XXXXXX").string();
@@ -56,6 +50,12 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
 }
 
 }  // namespace
+
+double seconds_of_unit(const std::string& unit) {
+  if (unit == "ns") return 1e-9;
+  if (unit == "us") return 1e-6;
+  return unit == "ms" ? 1e-3 : 1;
+}
 
 std::vector<BenchmarkName> list_benchmarks(const fs::path& program, const std::string& filter) {
   const std::regex wanted(filter);

@@ -36,6 +36,9 @@ Json run_benchmark(const std::filesystem::path& program, const std::string& name
 /// given time, since whoever else uses the machine only ever adds. Throws as above.
 double time_once(const std::filesystem::path& program, const std::string& name, double seconds);
 
+/// Of Google Benchmark's ns, us, ms and s.
+double seconds_of_unit(const std::string& unit);
+
 /// So many blocks of each benchmark, programs of the folder `a` against those of `b`: in each round
 /// the benchmarks come in an order of their own, drawn at random, and each is timed A B B A or
 /// B A A B, drawn too, each time by a new process.
