@@ -172,7 +172,8 @@ Table accuracy_table(const std::vector<Json>& history) {
   Table table{"Every accuracy: its latest value, its smallest and largest, and where it changed",
               {"quantity", "kind", "latest", "smallest", "largest", "changed at"},
               {}};
-  for (const auto& [name, entry] : history.back().value("accuracy", Json::object()).items()) {
+  const Json latest = history.back().value("accuracy", Json::object());
+  for (const auto& [name, entry] : latest.items()) {
     Series series;
     for (const Json& record : history) {
       series.push_back(number(record, "/accuracy/" + name + "/value"));
@@ -219,7 +220,8 @@ reports::Page history_page(const std::vector<Json>& history) {
                   "time changed at", "instructions changed at"},
                  {}};
   std::vector<Evidence> charts;
-  for (const auto& [kernel, counts] : last.value("kernels", Json::object()).items()) {
+  const Json kernels = last.value("kernels", Json::object());
+  for (const auto& [kernel, counts] : kernels.items()) {
     const std::string name = kernel + "/" + counts["size"].dump();
     Series medians, instructions;
     for (std::size_t i = 0; i < history.size(); ++i) {

@@ -99,35 +99,51 @@ double time_once(const fs::path& program, const std::string& name, double second
   return least;
 }
 
-std::map<BenchmarkName, std::vector<Block>> time_interleaved(const fs::path& a, const fs::path& b,
-                                                             std::vector<BenchmarkName> benchmarks,
-                                                             int blocks, double seconds,
-                                                             std::uint64_t seed, const Say& say) {
+std::vector<std::vector<Block>> time_interleaved(const std::vector<TimedPair>& pairs, int blocks,
+                                                 std::uint64_t seed, const Say& say) {
   std::mt19937_64 random(seed);
-  std::map<BenchmarkName, std::vector<Block>> times;
+  std::vector<std::vector<Block>> times(pairs.size());
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
   for (int round = 0; round < blocks; ++round) {
-    say(fmt::format("timing, block {} of {}", round + 1, blocks));
-    std::ranges::shuffle(benchmarks, random);
-    for (const BenchmarkName& benchmark : benchmarks) {
-      const auto time = [&](const fs::path& folder) {
-        return time_once(folder / benchmark.program, benchmark.name, seconds);
-      };
+    std::ranges::shuffle(order, random);
+    for (const std::size_t i : order) {
+      const TimedPair& pair = pairs[i];
+      say(fmt::format("timing, block {} of {}: {}", round + 1, blocks, pair.name));
       Block block{};
       if (random() % 2 == 0) {
-        block.a_first = time(a);
-        block.b_first = time(b);
-        block.b_second = time(b);
-        block.a_second = time(a);
+        block.a_first = pair.a();
+        block.b_first = pair.b();
+        block.b_second = pair.b();
+        block.a_second = pair.a();
       } else {
-        block.b_first = time(b);
-        block.a_first = time(a);
-        block.a_second = time(a);
-        block.b_second = time(b);
+        block.b_first = pair.b();
+        block.a_first = pair.a();
+        block.a_second = pair.a();
+        block.b_second = pair.b();
       }
-      times[benchmark].push_back(block);
+      times[i].push_back(block);
     }
   }
   return times;
+}
+
+std::map<BenchmarkName, std::vector<Block>> time_interleaved(
+    const fs::path& a, const fs::path& b, const std::vector<BenchmarkName>& benchmarks, int blocks,
+    double seconds, std::uint64_t seed, const Say& say) {
+  std::vector<TimedPair> pairs;
+  for (const BenchmarkName& benchmark : benchmarks) {
+    const auto timer = [&](const fs::path& folder) {
+      return [program = folder / benchmark.program, name = benchmark.name, seconds] {
+        return time_once(program, name, seconds);
+      };
+    };
+    pairs.push_back({benchmark.name, timer(a), timer(b)});
+  }
+  const auto times = time_interleaved(pairs, blocks, seed, say);
+  std::map<BenchmarkName, std::vector<Block>> result;
+  for (std::size_t i = 0; i < benchmarks.size(); ++i) result[benchmarks[i]] = times[i];
+  return result;
 }
 
 }  // namespace wavecurve::tracking

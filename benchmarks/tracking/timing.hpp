@@ -39,13 +39,22 @@ double time_once(const std::filesystem::path& program, const std::string& name, 
 /// Of Google Benchmark's ns, us, ms and s.
 double seconds_of_unit(const std::string& unit);
 
-/// So many blocks of each benchmark, programs of the folder `a` against those of `b`: in each round
-/// the benchmarks come in an order of their own, drawn at random, and each is timed A B B A or
-/// B A A B, drawn too, each time by a new process.
-std::map<BenchmarkName, std::vector<Block>> time_interleaved(const std::filesystem::path& a,
-                                                             const std::filesystem::path& b,
-                                                             std::vector<BenchmarkName> benchmarks,
-                                                             int blocks, double seconds,
-                                                             std::uint64_t seed, const Say& say);
+/// Two things to be timed against each other, each by a function that runs it once in a process of
+/// its own and returns seconds.
+struct TimedPair {
+  std::string name;
+  std::function<double()> a, b;
+};
+
+/// So many blocks of each pair: in each round the pairs come in an order of their own, drawn at
+/// random, and each is timed A B B A or B A A B, drawn too.
+std::vector<std::vector<Block>> time_interleaved(const std::vector<TimedPair>& pairs, int blocks,
+                                                 std::uint64_t seed, const Say& say);
+
+/// The same of each benchmark, programs of the folder `a` against those of `b`.
+std::map<BenchmarkName, std::vector<Block>> time_interleaved(
+    const std::filesystem::path& a, const std::filesystem::path& b,
+    const std::vector<BenchmarkName>& benchmarks, int blocks, double seconds, std::uint64_t seed,
+    const Say& say);
 
 }  // namespace wavecurve::tracking

@@ -26,6 +26,8 @@ void add_describe_command(CLI::App& app, ExitCode& exit_code);
 void add_reconstruct_command(CLI::App& app, ExitCode& exit_code);
 void add_compare_command(CLI::App& app, ExitCode& exit_code);
 void add_bench_command(CLI::App& app, ExitCode& exit_code);
+/// Its pages, which need the report's writer: added to `bench`, which is there already.
+void add_bench_pages(CLI::App& app);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace wavecurve::tools
