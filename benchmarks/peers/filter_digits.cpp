@@ -1,14 +1,18 @@
 // How many digits of their filter tables are right: GSL's, PyWavelets' and our own, each tap
 // against an enclosure of 128 bits. Prints JSON: for each family and table the worst tap in units
-// in the last place. The argument is what lib/wavecurve/filters/pywavelets_tables.py prints.
+// in the last place. The argument is what lib/wavecurve/filters/pywavelets_tables.py prints;
+// --versions prints those of the peers that are linked.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <sundials/sundials_config.h>
 #include <vector>
 
+#include <gsl/gsl_version.h>
 #include <gsl/gsl_wavelet.h>
 #include <nlohmann/json.hpp>
 
@@ -107,6 +111,10 @@ void add_own(Json& json) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "--versions") {
+      std::printf("GSL %s, SUNDIALS %s\n", GSL_VERSION, SUNDIALS_VERSION);
+      return 0;
+    }
     Json json;
     add_own(json);
     add_gsl(json);

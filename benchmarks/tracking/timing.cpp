@@ -29,6 +29,9 @@ std::string escaped(const std::string& name) {
   return pattern + "$";
 }
 
+/// Seconds, of all repetitions of a benchmark; a longer one is not what is tracked.
+constexpr int longest = 60;
+
 /// Reads what the program writes into a file, for some print tables of their own.
 Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
   std::string file = (fs::temp_directory_path() / "wavecurve_benchmark.XXXXXX").string();
@@ -36,13 +39,16 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
   if (descriptor < 0)
     throw std::system_error(errno, std::generic_category(), "cannot make " + file);
   ::close(descriptor);
-  arguments.insert(arguments.begin(), program.string());
+  arguments.insert(arguments.begin(), {"timeout", std::to_string(longest), program.string()});
   arguments.push_back("--benchmark_out=" + file);
   arguments.emplace_back("--benchmark_out_format=json");
   const ProgramRun run = run_program(arguments);
   const std::string text = io::read_file(file);
   fs::remove(file);
   Json json = Json::parse(text, nullptr, false);
+  if (run.exit_code == 124) {
+    throw std::runtime_error(fmt::format("{} took more than {} s", program.string(), longest));
+  }
   if (run.exit_code != 0 || !json.is_object()) {
     throw std::runtime_error(program.string() + " failed: " + run.err);
   }
