@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -9,6 +11,7 @@
 
 #include "bootstrap.hpp"
 #include "change_points.hpp"
+#include "limit_reasons.hpp"
 #include "timing.hpp"
 
 namespace wavecurve::tracking {
@@ -206,6 +209,22 @@ Table other_times(const std::vector<Json>& history,
   return table;
 }
 
+/// Kernels that take more than 2.5 times what the machine allows.
+Table far_from_limits(const Json& record, const std::map<std::string, Times>& times) {
+  constexpr double far = 2.5;
+  Table table{"More than 2.5 times the physical limit, and why",
+              {"kernel", "times the limit", "limited by", "why"},
+              {}};
+  const Json kernels = record.value("kernels", Json::object());
+  for (const auto& [kernel, counts] : kernels.items()) {
+    const auto time = times.find(kernel + "/" + counts["size"].dump());
+    const auto [limit, by] = limit_of(record, kernel);
+    if (time == times.end() || !(time->second.median > far * limit)) continue;
+    table.rows.push_back({kernel, cell(time->second.median / limit), by, limit_reason(kernel)});
+  }
+  return table;
+}
+
 }  // namespace
 
 reports::Page history_page(const std::vector<Json>& history) {
@@ -250,7 +269,7 @@ reports::Page history_page(const std::vector<Json>& history) {
       revision(last), last.value("machine", Json::object()).value("cpu", "an unknown machine"));
   return {"Performance and accuracy over the records",
           generated,
-          {{"Overview", {how, overview}},
+          {{"Overview", {how, overview, far_from_limits(last, times.back())}},
            {"Accuracy", {accuracy_table(history)}},
            {"Kernel by kernel", charts},
            {"All benchmarks", {other_times(history, times)}}}};

@@ -110,23 +110,37 @@ Check times_silent(const Build& build, bool is_short, const Say& say) {
           alarms <= 1};
 }
 
-Check times_find(const Build& build, bool is_short, const Say& say) {
-  say("a kernel slowed by 20 %");
-  CompareOptions options = timing_options(is_short);
-  options.blocks = 12;
-  const auto result =
-      compare_times(build, slowed(build, 5), timed_kernels(build, is_short), options, say);
+/// Whether the slowed kernel alone is found, and what is.
+std::pair<bool, std::string> find_by_times(const Build& build, const CompareOptions& options,
+                                           const std::vector<BenchmarkName>& names,
+                                           const Say& say) {
   std::string text;
   bool is_found = false, is_other = false;
-  for (const Row& row : result) {
+  for (const Row& row : compare_times(build, slowed(build, 5), names, options, say)) {
     if (!is_alarm(row)) continue;
     text +=
         fmt::format("{} {} {} ", row.benchmark, to_string(row.verdict), percent(row.ratio.ratio));
     const bool is_it = row.benchmark.starts_with(slowed_kernel + "/");
     (is_it && row.verdict == Verdict::slower ? is_found : is_other) = true;
   }
-  return {slowed_kernel + " slowed by 20 %: found by times, and nothing else",
-          text.empty() ? "nothing" : text, is_found && !is_other};
+  return {is_found && !is_other, text.empty() ? "nothing" : text};
+}
+
+/// Noise can hide a change of 20 % from one comparison in six (bootstrap_test.cpp), so there are
+/// three attempts: all fail in one of 200.
+Check times_find(const Build& build, bool is_short, const Say& say) {
+  say("a kernel slowed by 20 %");
+  const auto names = timed_kernels(build, is_short);
+  CompareOptions options = timing_options(is_short);
+  options.blocks = 12;
+  Check check{slowed_kernel + " slowed by 20 %: found by times, and nothing else", "", false};
+  for (int attempt = 1; attempt <= 3 && !check.is_passed; ++attempt) {
+    options.seed += 2;
+    const auto [is_found, text] = find_by_times(build, options, names, say);
+    check.is_passed = is_found;
+    check.found += fmt::format("{}attempt {}: {}", attempt > 1 ? "; " : "", attempt, text);
+  }
+  return check;
 }
 
 /// All sizes of all kernels that state a growth are counted by one process.

@@ -43,7 +43,7 @@ void say(const std::string& what) {
 }
 
 void add_peers(CLI::App& bench) {
-  auto build = std::make_shared<fs::path>(fs::read_symlink("/proc/self/exe").parent_path());
+  auto build = std::make_shared<fs::path>(root / "build" / "release" / "bin");
   auto output = std::make_shared<fs::path>(root / "reports" / "latest");
   auto options = std::make_shared<PeersOptions>();
   CLI::App* command = bench.add_subcommand(
