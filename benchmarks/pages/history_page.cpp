@@ -229,7 +229,7 @@ Table far_from_limits(const Json& record, const std::map<std::string, Times>& ti
 
 reports::Page history_page(const std::vector<Json>& history) {
   if (history.empty())
-    throw std::invalid_argument("the history has 0 records: at least 1 is needed");
+    throw std::invalid_argument("the history has 0 records; tools/bench.sh record adds one");
   std::vector<std::map<std::string, Times>> times;
   for (const Json& record : history) times.push_back(times_of(record));
   const Json& last = history.back();

@@ -70,11 +70,11 @@ struct Reason {
 };
 const std::vector<Reason> reasons{
     {"transform", "memcpy",
-     "A copy is the physical limit, not a peer. Within the caches the shuffles of the cascade "
-     "bound "
-     "the transform: 16 samples are 10 multiplications, 8 additions and 5 shuffles of 512 bits, at "
-     "least 1.44 cycles a sample for all levels, three times what a copy takes; the loop alone is "
-     "within a quarter of that (head of benchmarks/transform_benchmark.cpp)."},
+     "A copy is the physical limit, not a peer. Within the caches shuffles bound the transform: 16 "
+     "samples of a level are 10 multiplications, 8 additions and 5 shuffles of 512 bits; beyond "
+     "them "
+     "three levels pass at once, which reads and writes half as much again (head of "
+     "benchmarks/transform_benchmark.cpp, with what was tried)."},
 };
 
 std::string reason_for(const PeerResult& result) {
@@ -88,10 +88,14 @@ std::string reason_for(const PeerResult& result) {
 
 Table losses(const std::vector<PeerResult>& results) {
   Table table{"Where this library is slower, and why", {"work", "peer", "peer / ours", "why"}, {}};
+  std::string last;
   for (const PeerResult& result : results) {
     if (result_of(result.ratio) != "loss") continue;
+    const std::string why = reason_for(result);
     table.rows.push_back({result.peer.work, result.peer.name,
-                          fmt::format("{:.3g}", result.ratio.ratio), reason_for(result)});
+                          fmt::format("{:.3g}", result.ratio.ratio),
+                          why == last ? "as above" : why});
+    last = why;
   }
   if (table.rows.empty()) table.rows.push_back({"none", "", "", ""});
   return table;
