@@ -11,18 +11,14 @@
 #include "figure_writer.hpp"
 #include "formula.hpp"
 #include "html_evidence.hpp"
-#include "stylesheet.hpp"
+#include "html_head.hpp"
 
 namespace wavecurve::reports {
 
 namespace {
 
-std::string head(const Page& page) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-         escape(page.title) + "</title>\n<style>\n" + std::string(stylesheet()) +
-         "</style>\n</head>\n<body>\n<header>\n<h1>" + escape(page.title) +
+std::string opening(const Page& page) {
+  return html_head(page.title) + "<body>\n<header>\n<h1>" + escape(page.title) +
          "</h1>\n<p class=\"dated\">" + escape(page.generated) + "</p>\n";
 }
 
@@ -40,7 +36,7 @@ void write_page(const Page& page, const std::filesystem::path& directory, const 
   const std::string folder = name + "-figures";
   FigureWriter figures{directory / folder};
   std::filesystem::create_directories(figures.directory);
-  std::string html = head(page) + contents(page) + "<main>\n";
+  std::string html = opening(page) + contents(page) + "<main>\n";
   int tables = 0;
   for (std::size_t i = 0; i < page.sections.size(); ++i) {
     const Section& section = page.sections[i];
