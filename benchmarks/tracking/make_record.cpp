@@ -98,7 +98,7 @@ Json time_all(const Build& build, const RecordOptions& options, const Say& say) 
 
 }  // namespace
 
-Json measure_counts(const Build& build) {
+Json measure_counts(const Build& build, int processes) {
   Json json = Json::object();
   if (!build.has_kernels()) return json;
   json["environment"] = ask(build, "--environment");
@@ -106,7 +106,8 @@ Json measure_counts(const Build& build) {
   if (!has_valgrind()) return json;
   json["valgrind"] = {{"version", valgrind_version()}, {"vectors", vectors_in_valgrind(build)}};
   const std::vector<CountedKernel> kernels = counted_kernels(build);
-  json["kernels"] = as_json(kernels, count_instructions(build.kernel_program(), kernels));
+  json["kernels"] =
+      as_json(kernels, count_instructions(build.kernel_program(), kernels, processes));
   return json;
 }
 

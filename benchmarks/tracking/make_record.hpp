@@ -17,7 +17,7 @@ struct RecordOptions {
 
 /// What can be asked and counted without a clock: environment, valgrind, kernels, accuracy. Empty
 /// parts where the build has no marked kernels; without valgrind, no counts.
-Json measure_counts(const Build& build);
+Json measure_counts(const Build& build, int processes = 3);
 
 /// A whole record, see docs/how-to-read-benchmarks.md.
 Json make_record(const Build& build, const RecordOptions& options, const Say& say);

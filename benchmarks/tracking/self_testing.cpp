@@ -30,7 +30,7 @@ Comparison by_counts(const Json& before, const Json& after) {
 }
 
 Check counts_silent(const Json& counts, const Build& build) {
-  const Comparison again = by_counts(counts, measure_counts(build));
+  const Comparison again = by_counts(counts, measure_counts(build, 1));
   double worst = 1;
   for (const Row& row : again.rows) {
     if (std::abs(row.ratio.ratio - 1) > std::abs(worst - 1)) worst = row.ratio.ratio;
@@ -41,7 +41,7 @@ Check counts_silent(const Json& counts, const Build& build) {
 }
 
 Check counts_find(const Json& counts, const Build& build, int runs) {
-  const Comparison found = by_counts(counts, measure_counts(slowed(build, runs)));
+  const Comparison found = by_counts(counts, measure_counts(slowed(build, runs), 1));
   std::string text;
   bool is_passed = false;
   for (const Row& row : found.rows) {
@@ -183,7 +183,7 @@ std::vector<Check> self_test(const Build& build, bool is_short, const Say& say) 
   }
   std::vector<Check> checks;
   say("counting instructions");
-  const Json counts = measure_counts(build);
+  const Json counts = measure_counts(build, 1);
   if (counts.contains("kernels")) {
     checks.push_back(counts_silent(counts, build));
     for (const int runs : {20, 100}) checks.push_back(counts_find(counts, build, runs));
