@@ -67,6 +67,17 @@ void one_frame(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(solve_spectral(problem));
 }
 
+/// As the peers are asked: the state at t = 1 alone.
+void solve_end(benchmark::State& state, const std::string& name, double accuracy) {
+  const InitialValueProblem problem = ellipse(state.range(0), 1);
+  const Solver solver = find_solver(name).make(accuracy);
+  Trajectory solution;
+  for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
+  const Eigen::MatrixXd exact = solve_spectral(problem).displacement[0];
+  state.counters["error"] = (solution.displacement[0] - exact).norm() / problem.displacement.norm();
+  state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
+}
+
 /// The operator of the matrix-free coupled solver, as SUNDIALS calls it.
 struct Peer {
   EquationOfMotion motion;
@@ -269,6 +280,12 @@ BENCHMARK_CAPTURE(solve, implicit_rosenbrock, "implicit-rosenbrock", 1e-5, dampe
     ->Unit(benchmark::kMillisecond);
 
 // At equal achieved error: compare the counters, and the times of rows whose errors are alike.
+BENCHMARK_CAPTURE(solve_end, spectral, "spectral", 1e-9)->Arg(256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_end, coupled_1e6, "coupled", 1e-6)->Arg(256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_end, coupled_1e8, "coupled", 1e-8)->Arg(256)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_end, coupled_dense_1e6, "coupled-dense", 1e-6)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sundials_peer, cvode_adams_1e6, Sundials::adams, 1e-6)
     ->Arg(256)
     ->Unit(benchmark::kMillisecond);

@@ -1,5 +1,6 @@
 // The periodic transform beside its peers: D8, all levels, processor time a sample (per_sample).
-// PyWavelets is measured by transform_pywavelets.py; start it right after this.
+// PyWavelets is measured by peers/transform_pywavelets.py; `wavecurve bench peers` interleaves the
+// two.
 //
 // Asked for, double: at N = 2^14 to 2^16 at most 0.4 ns a sample each way, 8 times faster than
 // PyWavelets' compiled core, 12 times faster than GSL; at 2^22 at most 2.5 times memcpy's time.
@@ -212,7 +213,7 @@ std::pair<const gsl_wavelet_type*, std::size_t> gsl_name(const std::string& name
 }
 
 /// The round trip of every family, 256 samples, all levels; "-" where GSL does not have it.
-/// transform_pywavelets.py prints the same for PyWavelets.
+/// peers/transform_pywavelets.py prints the same for PyWavelets.
 void print_round_trips() {
   constexpr Eigen::Index samples = 256;
   gsl_set_error_handler_off();
@@ -250,7 +251,7 @@ void print_round_trips() {
 }  // namespace wavecurve
 
 int main(int argc, char** argv) {
-  wavecurve::print_round_trips();
+  if (argc == 1) wavecurve::print_round_trips();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

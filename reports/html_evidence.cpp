@@ -83,13 +83,14 @@ std::string figure_html(const std::string& id, const std::string& svg, const Tab
 struct EvidenceToHtml {
   const Figures& figures;
   const std::string& table_id;
+  const std::string& folder;
 
   std::string operator()(const Paragraph& paragraph) const {
     return "<p>" + formula_html(paragraph.text) + "</p>\n";
   }
   std::string operator()(const Table& table) const { return table_html(table, table_id); }
   std::string operator()(const Chart& chart) const {
-    const std::string base = "figures/" + escape(chart.id);
+    const std::string base = escape(folder) + "/" + escape(chart.id);
     const std::string note = " <span class=\"files\">Drawn by gnuplot: <a href=\"" + base +
                              ".gp\">script</a>, <a href=\"" + base + ".dat\">data</a>.</span>";
     return figure_html(chart.id, figures.at(chart.id), chart.data,
@@ -103,8 +104,9 @@ struct EvidenceToHtml {
 
 }  // namespace
 
-std::string html_of(const Evidence& evidence, const Figures& figures, const std::string& table_id) {
-  return std::visit(EvidenceToHtml{figures, table_id}, evidence);
+std::string html_of(const Evidence& evidence, const Figures& figures, const std::string& table_id,
+                    const std::string& folder) {
+  return std::visit(EvidenceToHtml{figures, table_id, folder}, evidence);
 }
 
 }  // namespace wavecurve::reports

@@ -8,8 +8,10 @@
 namespace wavecurve::reports {
 
 /// One piece of evidence as HTML; each figure is followed by the table of its numbers.
-/// `figures` as in to_html; `table_id` makes the table's caption a label of its own.
+/// `figures` as in to_html; `table_id` makes the table's caption a label of its own; `folder` is
+/// where the figures' files lie.
 std::string html_of(const verification::Evidence& evidence,
-                    const std::map<std::string, std::string>& figures, const std::string& table_id);
+                    const std::map<std::string, std::string>& figures, const std::string& table_id,
+                    const std::string& folder = "figures");
 
 }  // namespace wavecurve::reports

@@ -2,9 +2,10 @@
 # Installs the Debian packages that are missing. The one list of what the project needs.
 set -euo pipefail
 
-usage='usage: tools/install_dependencies.sh program|tests|browser
+usage='usage: tools/install_dependencies.sh program|bench|tests|browser
 Installs, through apt, the packages that are missing: those that the program is built and run with,
-or also those of the tests and benchmarks, or also those of the tests in a browser. Installs nothing, and asks no server, where all are there.
+or also those of tracking performance, or of the tests and benchmarks, or also those of the tests
+in a browser. Installs nothing, and asks no server, where all are there.
 Exit codes: 0 all there, 2 bad usage, 3 something is missing and cannot be installed.'
 
 # A package, and what shows that it is there, however it came: one of the programs, headers or
@@ -28,16 +29,24 @@ nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp
 gnuplot-nox           program:gnuplot
 '
-test_packages='
-libgtest-dev          header:gtest/gtest.h
-librapidcheck-dev     header:rapidcheck.h
+# Some of them are peers: measured beside the library, never used by it.
+benchmark_packages='
 libbenchmark-dev      header:benchmark/benchmark.h
 libgsl-dev            header:gsl/gsl_wavelet.h
 libsundials-dev       header:cvode/cvode.h
-librlottie-dev        header:rlottie.h
-ffmpeg                program:ffmpeg
 python3               program:/usr/bin/python3
 python3-pywt          module:pywt
+'
+tracking_packages='
+git                   program:git
+valgrind              program:valgrind
+python3-mpmath        module:mpmath
+'
+test_packages='
+libgtest-dev          header:gtest/gtest.h
+librapidcheck-dev     header:rapidcheck.h
+librlottie-dev        header:rlottie.h
+ffmpeg                program:ffmpeg
 '
 # Node.js comes with npm inside from some sources, and without it from Debian: the signs decide.
 browser_packages='
@@ -97,8 +106,9 @@ install_packages() {
 list=$program_packages
 case ${1-} in
   program) ;;
-  tests) list+=$test_packages ;;
-  browser) list+=$test_packages$browser_packages ;;
+  bench) list+=$benchmark_packages$tracking_packages ;;
+  tests) list+=$test_packages$benchmark_packages ;;
+  browser) list+=$test_packages$benchmark_packages$browser_packages ;;
   --help | -h)
     printf '%s\n' "$usage"
     exit 0

@@ -34,6 +34,7 @@ expect 3 'no apt-get; install what these Debian packages hold: g++ cmake ninja-b
   on_the_machine "$tools/install_dependencies.sh" program
 expect 3 'no apt-get' on_the_machine "$tools/test.sh"
 expect 3 'no apt-get' on_the_machine "$tools/verify.sh"
+expect 3 'no apt-get' on_the_machine "$tools/bench.sh" compare HEAD
 
 fake apt-get 'echo "apt-get called: $*"; exit 1'
 fake apt-cache 'echo "some version"'
@@ -84,6 +85,10 @@ expect 2 'unknown argument --fast' "$tools/test.sh" --fast
 expect 2 'usage' "$tools/install_dependencies.sh"
 expect 0 'usage: tools/test.sh' "$tools/test.sh" --help
 expect 0 'usage: tools/verify.sh' "$tools/verify.sh" --help
+
+expect 2 'usage: tools/bench.sh' "$tools/bench.sh"
+expect 2 'usage: tools/bench.sh' "$tools/bench.sh" fast
+expect 0 'usage: tools/bench.sh' "$tools/bench.sh" --help
 
 [ $failures -eq 0 ] && echo "all scripts behave as described"
 exit $failures

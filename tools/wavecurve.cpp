@@ -34,6 +34,8 @@ int run(int argc, char** argv) {
   add_reconstruct_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_gait_command(app, exit_code);
+  add_bench_command(app, exit_code);
+  add_bench_pages(app);
   add_verify_command(app, exit_code);
   try {
     app.parse(argc, argv);

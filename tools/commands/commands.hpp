@@ -10,6 +10,8 @@ enum ExitCode {
   differs = 1,             ///< done, and something differs from what is blessed or demanded
   bad_input = 2,           ///< bad usage or bad input
   environment_failed = 3,  ///< disk full, missing program
+  inconclusive = 4,        ///< bench: noise leaves it open whether something differs
+  machines_differ = 5,     ///< bench: what is to be compared comes from different machines
 };
 
 // One function a subcommand, each in a file of its name. A command's callback writes its exit code
@@ -24,6 +26,9 @@ void add_describe_command(CLI::App& app, ExitCode& exit_code);
 void add_reconstruct_command(CLI::App& app, ExitCode& exit_code);
 void add_compare_command(CLI::App& app, ExitCode& exit_code);
 void add_gait_command(CLI::App& app, ExitCode& exit_code);
+void add_bench_command(CLI::App& app, ExitCode& exit_code);
+/// Its pages, which need the report's writer: added to `bench`, which is there already.
+void add_bench_pages(CLI::App& app);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace wavecurve::tools

@@ -1,10 +1,12 @@
 """PyWavelets beside transform_benchmark: seconds a sample of processor time, D8, double, all levels.
 
 core: pywt's compiled dwt on arrays, one level after another, periodized; what a user would call is
-wavedec and waverec. Start it right after transform_benchmark, with Debian's own python3. First, as
-transform_benchmark does for its own, the round trip of every family that PyWavelets has.
+wavedec and waverec. With Debian's own python3. First, as transform_benchmark does for its own, the
+round trip of every family that PyWavelets has. With arguments NAME SAMPLES, NAME one of dwt, idwt,
+wavedec and waverec, only the seconds that one such transform takes.
 """
 
+import sys
 import time
 
 import numpy
@@ -47,11 +49,11 @@ def print_round_trips():
             print(f"{name:12} {units_per_level(name):10.2g}")
 
 
-def nanoseconds(function, samples):
+def nanoseconds(function, samples, runs=9):
     """The fastest of several runs."""
     repetitions = max(1, (1 << 18) // samples)
     best = float("inf")
-    for _ in range(9):
+    for _ in range(runs):
         start = time.process_time_ns()
         for _ in range(repetitions):
             function()
@@ -59,20 +61,30 @@ def nanoseconds(function, samples):
     return best
 
 
+def transforms(samples):
+    """What is measured, by name."""
+    levels = samples.bit_length() - 1
+    signal = numpy.random.default_rng(1).uniform(-1, 1, samples)
+    coarse, details = core_forward(signal, levels)
+    coefficients = [coarse, *reversed(details)]
+    return {
+        "dwt": lambda: core_forward(signal, levels),
+        "idwt": lambda: core_inverse(coarse, details),
+        "wavedec": lambda: pywt.wavedec(signal, WAVELET, MODE, levels),
+        "waverec": lambda: pywt.waverec(coefficients, WAVELET, MODE),
+    }
+
+
 def main():
+    if len(sys.argv) == 3:
+        samples = int(sys.argv[2])
+        print(nanoseconds(transforms(samples)[sys.argv[1]], samples, 3) * samples * 1e-9)
+        return
     print_round_trips()
     print(f"{'samples':>8} {'dwt':>8} {'idwt':>8} {'wavedec':>8} {'waverec':>8}   ns a sample")
     for exponent in (8, 10, 12, 14, 16, 18, 20, 22):
         samples = 1 << exponent
-        signal = numpy.random.default_rng(1).uniform(-1, 1, samples)
-        coarse, details = core_forward(signal, exponent)
-        coefficients = [coarse, *reversed(details)]
-        figures = [
-            nanoseconds(lambda: core_forward(signal, exponent), samples),
-            nanoseconds(lambda: core_inverse(coarse, details), samples),
-            nanoseconds(lambda: pywt.wavedec(signal, WAVELET, MODE, exponent), samples),
-            nanoseconds(lambda: pywt.waverec(coefficients, WAVELET, MODE), samples),
-        ]
+        figures = [nanoseconds(run, samples) for run in transforms(samples).values()]
         print(f"{samples:8d} " + " ".join(f"{figure:8.3f}" for figure in figures))
 
 

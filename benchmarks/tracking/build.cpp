@@ -1,0 +1,37 @@
+#include "build.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "run_program.hpp"
+
+namespace wavecurve::tracking {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> Build::all_programs() const {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(programs)) {
+    const std::string file = entry.path().filename().string();
+    if (file.ends_with("_benchmark") && file != "kernel_benchmark") found.push_back(entry.path());
+  }
+  std::ranges::sort(found);
+  if (has_kernels()) found.insert(found.begin(), kernel_program());
+  return found;
+}
+
+Json ask(const Build& build, const std::string& question) {
+  return Json::parse(output_of({build.kernel_program().string(), question}));
+}
+
+Build build_in(const fs::path& folder) {
+  for (const fs::path& place : {folder, folder / "bin"}) {
+    if (!fs::is_directory(place)) continue;
+    const fs::path absolute = fs::canonical(place);
+    Build build{folder.string(), absolute, {{"commit", "build"}}};
+    if (!build.all_programs().empty()) return build;
+  }
+  throw std::invalid_argument("'" + folder.string() + "': no *_benchmark program there");
+}
+
+}  // namespace wavecurve::tracking

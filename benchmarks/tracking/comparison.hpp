@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record.hpp"
+#include "verdict.hpp"
+
+namespace wavecurve::tracking {
+
+/// One quantity of one benchmark before and after. `ratio` is after over before, above 1 for worse
+/// (of digits: 10^(digits lost)).
+struct Row {
+  std::string benchmark;
+  std::string quantity;  ///< "instructions", "time", "error", "iterations", "digits"
+  double before = 0, after = 0;
+  RatioInterval ratio{1, 1, 1};
+  Verdict verdict = Verdict::same;
+  std::string note = {};  ///< data references; that an alarm was confirmed, or not
+};
+
+struct Comparison {
+  std::string before, after;
+  std::vector<Row> rows;
+  std::vector<std::string> notes;
+
+  /// Of a benchmark, all its quantities together: slower if one is; what the counts leave the same
+  /// is the same though its time is inconclusive.
+  Verdict verdict_of(const std::string& benchmark) const;
+  /// 0: no regression, 1: a regression, 4: nothing worse than inconclusive.
+  int exit_code() const;
+};
+
+/// For a terminal; rows that are the same are left out unless `all`, and then counted.
+std::string to_text(const Comparison& comparison, bool all);
+/// For a pull request.
+std::string to_markdown(const Comparison& comparison);
+Json to_json(const Comparison& comparison);
+
+}  // namespace wavecurve::tracking

@@ -1,0 +1,158 @@
+#include "timing.hpp"
+
+#include <algorithm>
+#include <random>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "wavecurve/io/read_file.hpp"
+
+#include "run_program.hpp"
+
+namespace wavecurve::tracking {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name as a regular expression that matches nothing else.
+std::string escaped(const std::string& name) {
+  std::string pattern = "^";
+  for (const char c : name) {
+    if (std::string_view("^$.*+?()[]{}|\\").find(c) != std::string_view::npos) pattern += '\\';
+    pattern += c;
+  }
+  return pattern + "$";
+}
+
+/// Seconds, of all repetitions of a benchmark; a longer one is not what is tracked.
+constexpr int longest = 60;
+
+/// Reads what the program writes into a file, for some print tables of their own.
+Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
+  std::string file = (fs::temp_directory_path() / "wavecurve_benchmark.XXXXXX").string();
+  const int descriptor = ::mkstemp(file.data());
+  if (descriptor < 0)
+    throw std::system_error(errno, std::generic_category(), "cannot make " + file);
+  ::close(descriptor);
+  arguments.insert(arguments.begin(), {"timeout", std::to_string(longest), program.string()});
+  arguments.push_back("--benchmark_out=" + file);
+  arguments.emplace_back("--benchmark_out_format=json");
+  const ProgramRun run = run_program(arguments);
+  // The spread of a counter that is always 0 is written as NaN, which JSON does not have.
+  static const std::regex no_number(": -?(nan|inf)[a-z]*", std::regex::icase);
+  const std::string text = std::regex_replace(io::read_file(file), no_number, ": null");
+  fs::remove(file);
+  Json json = Json::parse(text, nullptr, false);
+  if (run.exit_code == 124) {
+    throw std::runtime_error(fmt::format("{} took more than {} s", program.string(), longest));
+  }
+  if (run.exit_code != 0 || !json.is_object()) {
+    throw std::runtime_error(fmt::format("{} {} ended with {}: {}", program.string(), arguments[3],
+                                         run.exit_code, run.err));
+  }
+  return json;
+}
+
+}  // namespace
+
+double seconds_of_unit(const std::string& unit) {
+  if (unit == "ns") return 1e-9;
+  if (unit == "us") return 1e-6;
+  return unit == "ms" ? 1e-3 : 1;
+}
+
+std::vector<BenchmarkName> list_benchmarks(const fs::path& program, const std::string& filter) {
+  const std::regex wanted(filter);
+  std::vector<BenchmarkName> names;
+  std::istringstream lines(output_of({program.string(), "--benchmark_list_tests"}));
+  for (std::string line; std::getline(lines, line);) {
+    // Lines with blanks are a program's own.
+    const bool is_name = !line.empty() && line.find(' ') == std::string::npos;
+    if (is_name && std::regex_search(line, wanted)) {
+      names.push_back({program.filename().string(), line});
+    }
+  }
+  return names;
+}
+
+Json run_benchmark(const fs::path& program, const std::string& name, double seconds,
+                   int repetitions) {
+  // Names that are listed may end in /iterations:1 or /repeats:9, and are matched whole.
+  const Json all = run_with_output(program, {"--benchmark_filter=" + escaped(name),
+                                             fmt::format("--benchmark_min_time={}", seconds),
+                                             fmt::format("--benchmark_repetitions={}", repetitions),
+                                             "--benchmark_report_aggregates_only=false"});
+  Json runs = Json::array();
+  for (const Json& run : all["benchmarks"]) {
+    if (run.value("error_occurred", false)) {
+      throw std::runtime_error(name + ": " + run.value("error_message", "failed"));
+    }
+    if (run.value("run_type", "iteration") == "iteration") runs.push_back(run);
+  }
+  if (runs.empty()) throw std::runtime_error(program.string() + " has no benchmark " + name);
+  return runs;
+}
+
+double time_once(const fs::path& program, const std::string& name, double seconds) {
+  constexpr int repetitions = 5;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Json& run : run_benchmark(program, name, seconds / repetitions, repetitions)) {
+    least = std::min(least, run["cpu_time"].get<double>() *
+                                seconds_of_unit(run["time_unit"].get<std::string>()));
+  }
+  return least;
+}
+
+std::vector<std::vector<Block>> time_interleaved(const std::vector<TimedPair>& pairs, int blocks,
+                                                 std::uint64_t seed, const Say& say) {
+  std::mt19937_64 random(seed);
+  std::vector<std::vector<Block>> times(pairs.size());
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (int round = 0; round < blocks; ++round) {
+    std::ranges::shuffle(order, random);
+    for (const std::size_t i : order) {
+      const TimedPair& pair = pairs[i];
+      say(fmt::format("timing, block {} of {}: {}", round + 1, blocks, pair.name));
+      Block block{};
+      if (random() % 2 == 0) {
+        block.a_first = pair.a();
+        block.b_first = pair.b();
+        block.b_second = pair.b();
+        block.a_second = pair.a();
+      } else {
+        block.b_first = pair.b();
+        block.a_first = pair.a();
+        block.a_second = pair.a();
+        block.b_second = pair.b();
+      }
+      times[i].push_back(block);
+    }
+  }
+  return times;
+}
+
+std::map<BenchmarkName, std::vector<Block>> time_interleaved(
+    const fs::path& a, const fs::path& b, const std::vector<BenchmarkName>& benchmarks, int blocks,
+    double seconds, std::uint64_t seed, const Say& say) {
+  std::vector<TimedPair> pairs;
+  for (const BenchmarkName& benchmark : benchmarks) {
+    const auto timer = [&](const fs::path& folder) {
+      return [program = folder / benchmark.program, name = benchmark.name, seconds] {
+        return time_once(program, name, seconds);
+      };
+    };
+    pairs.push_back({benchmark.name, timer(a), timer(b)});
+  }
+  const auto times = time_interleaved(pairs, blocks, seed, say);
+  std::map<BenchmarkName, std::vector<Block>> result;
+  for (std::size_t i = 0; i < benchmarks.size(); ++i) result[benchmarks[i]] = times[i];
+  return result;
+}
+
+}  // namespace wavecurve::tracking

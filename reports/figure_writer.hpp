@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "claim.hpp"
+
+namespace wavecurve::reports {
+
+/// Draws charts and copies pictures into a directory, and keeps each one's SVG document by its id.
+/// A visitor of Evidence. Throws std::logic_error for an id that is no file name or is used twice,
+/// and what draw_chart and io::write_file throw.
+struct FigureWriter {
+  std::filesystem::path directory;
+  std::map<std::string, std::string> svgs = {};
+
+  void operator()(const verification::Paragraph&) {}
+  void operator()(const verification::Table&) {}
+  void operator()(const verification::Chart& chart);
+  void operator()(const verification::Picture& picture);
+
+ private:
+  void claim_id(const std::string& id) const;
+};
+
+}  // namespace wavecurve::reports

@@ -1,0 +1,243 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "wavecurve/io/write_file.hpp"
+
+#include "commands.hpp"
+#include "compare.hpp"
+#include "make_record.hpp"
+#include "self_testing.hpp"
+
+namespace wavecurve::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tracking;
+
+const fs::path root = WAVECURVE_SOURCE_DIR;
+
+/// One line that is written over and over where someone watches; else one a step.
+void say(const std::string& what) {
+  if (isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K{}", what);
+    std::fflush(stderr);
+  }
+}
+
+void stop_saying() { say(""); }
+
+/// A record, a folder with programs, or a revision; "." is the working tree.
+Side side_of(const std::string& name, Programs programs) {
+  const fs::path path = name;
+  if (path.extension() == ".json" && fs::is_regular_file(path)) {
+    return {name, {}, read_record(path)};
+  }
+  if (name != "." && fs::is_directory(path)) return {name, build_in(path), {}};
+  say("building " + (name == "." ? "the working tree" : name));
+  Build build = build_revision(root, name == "." ? "" : name, programs);
+  return {build.name + " (" + build.revision["commit"].get<std::string>().substr(0, 10) + ")",
+          build,
+          {}};
+}
+
+struct RecordArguments {
+  std::string revision = ".";
+  RecordOptions options;
+  bool only_counts = false, only_kernels = false;
+  fs::path history = root / "benchmarks" / "history";
+};
+
+void run_record(RecordArguments arguments) {
+  const Programs programs =
+      arguments.only_counts || arguments.only_kernels ? Programs::kernels : Programs::all;
+  const Side side = side_of(arguments.revision, programs);
+  if (!side.build) throw std::invalid_argument("'" + arguments.revision + "' is a record already");
+  arguments.options.is_timed = !arguments.only_counts;
+  const Json record = make_record(*side.build, arguments.options, say);
+  const fs::path path = append_record(arguments.history, record);
+  stop_saying();
+  fmt::print("recorded {}: {} marked kernels, {} benchmarks, in {}\n", side.name,
+             record.value("kernels", Json::object()).size(),
+             record.value("benchmarks", Json::array()).size(), path.string());
+}
+
+void add_record(CLI::App& bench) {
+  auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command =
+      bench.add_subcommand("record", "Measure a revision and add the record to the history");
+  command
+      ->add_option("revision", arguments->revision,
+                   "A revision, or a folder with programs; . is the working tree")
+      ->capture_default_str();
+  command->add_option("--filter", arguments->options.filter,
+                      "Time only benchmarks that match this regular expression");
+  command->add_option("--repetitions", arguments->options.repetitions, "Of each benchmark")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--only-kernels", arguments->only_kernels,
+                    "Time the marked kernels, not the other programs");
+  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing");
+  command->add_option("--history", arguments->history, "Folder of the records")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->callback([arguments] { run_record(*arguments); });
+}
+
+struct CompareArguments {
+  std::string a, b = ".";
+  CompareOptions options;
+  bool all = false, only_counts = false;
+  fs::path json, markdown;
+};
+
+ExitCode run_compare(CompareArguments arguments) {
+  const Programs programs = arguments.options.filter.empty() ? Programs::kernels : Programs::all;
+  arguments.options.is_timed = !arguments.only_counts;
+  const Side a = side_of(arguments.a, programs), b = side_of(arguments.b, programs);
+  const Comparison comparison = compare(a, b, arguments.options, say);
+  stop_saying();
+  fmt::print("{}", to_text(comparison, arguments.all));
+  if (!arguments.json.empty()) io::write_file(arguments.json, to_json(comparison).dump(1) + "\n");
+  if (!arguments.markdown.empty()) io::write_file(arguments.markdown, to_markdown(comparison));
+  return static_cast<ExitCode>(comparison.exit_code());
+}
+
+void add_compare(CLI::App& bench, ExitCode& exit_code) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CompareOptions& options = arguments->options;
+  CLI::App* command = bench.add_subcommand(
+      "compare",
+      "Two revisions, records or builds: instructions, accuracy, times. Exit codes: 0 no "
+      "regression, 1 regression, 4 inconclusive, 5 different machines");
+  command->add_option("before", arguments->a, "A revision, a record, or a folder with programs")
+      ->required();
+  command->add_option("after", arguments->b, "The same; . is the working tree")
+      ->capture_default_str();
+  command->add_option("--filter", options.filter,
+                      "Time the benchmarks of all programs that match this regular expression; "
+                      "the marked kernels if not given");
+  command->add_option("--blocks", options.blocks, "A B B A, of each benchmark")
+      ->check(CLI::Range(6, 1000))
+      ->capture_default_str();
+  command->add_option("--threshold", options.thresholds.time, "Of a change of time that matters")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Of the order")->capture_default_str();
+  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing");
+  command->add_flag("--all", arguments->all, "Show also what is the same");
+  command->add_flag("--force", options.is_forced, "Compare records of different machines");
+  command->add_option("--json", arguments->json, "Write the comparison as JSON")->type_name("FILE");
+  command->add_option("--markdown", arguments->markdown, "Write it for a pull request")
+      ->type_name("FILE");
+  command->callback([arguments, &exit_code] {
+    try {
+      exit_code = run_compare(*arguments);
+    } catch (const MachinesDiffer& error) {
+      stop_saying();
+      fmt::print(stderr, "wavecurve: {}\n", error.what());
+      exit_code = machines_differ;
+    }
+  });
+}
+
+/// The programs of the build that this one is of.
+const fs::path own_folder = root / "build" / "release" / "bin";
+
+ExitCode run_self_test(const fs::path& build, bool is_short) {
+  bool is_passed = true;
+  for (const Check& check : self_test(build_in(build), is_short, say)) {
+    stop_saying();
+    fmt::print("{}  {}\n        {}\n", check.is_passed ? "ok    " : "FAILED", check.what,
+               check.found);
+    is_passed = is_passed && check.is_passed;
+  }
+  return is_passed ? done : differs;
+}
+
+void add_self_test(CLI::App& bench, ExitCode& exit_code) {
+  auto build = std::make_shared<fs::path>(own_folder);
+  auto is_short = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "self-test", "Try whether the tracking is silent where nothing changed, and finds what did");
+  command->add_option("build", *build, "Folder with kernel_benchmark and its slowed copies");
+  command->add_flag("--short", *is_short, "Within two minutes: fewer kernels, fewer blocks");
+  command->callback([=, &exit_code] { exit_code = run_self_test(*build, *is_short); });
+}
+
+struct CheckArguments {
+  fs::path build = own_folder, baseline = root / "benchmarks" / "baseline" / "counts.json";
+  bool bless = false, all = false;
+};
+
+/// Nothing of the machine that it was made on but what counts depend on.
+void bless(const CheckArguments& arguments) {
+  Json record = {
+      {"schema", record_schema}, {"date", date_now()}, {"revision", {{"commit", "build"}}}};
+  record.update(measure_counts(build_in(arguments.build)));
+  if (!record.contains("kernels")) {
+    throw std::runtime_error("nothing to bless: valgrind does not run here");
+  }
+  fs::create_directories(arguments.baseline.parent_path());
+  io::write_file(arguments.baseline, record.dump(1) + "\n");
+  stop_saying();
+  fmt::print("blessed: {}\n", arguments.baseline.string());
+}
+
+ExitCode run_check(const CheckArguments& arguments) {
+  CompareOptions options;
+  options.is_timed = false;
+  const Side baseline{"the blessed record", {}, read_record(arguments.baseline)};
+  const Side now{"this build", build_in(arguments.build), {}};
+  try {
+    const Comparison comparison = compare(baseline, now, options, say);
+    stop_saying();
+    fmt::print("{}", to_text(comparison, arguments.all));
+    if (comparison.exit_code() == 1) {
+      fmt::print("if this is wanted: tools/bench.sh check --bless\n");
+    }
+    return static_cast<ExitCode>(comparison.exit_code());
+  } catch (const MachinesDiffer& reason) {
+    stop_saying();
+    fmt::print("instruction counts not checked, {}\n", reason.what());
+    return done;
+  }
+}
+
+void add_check(CLI::App& bench, ExitCode& exit_code) {
+  auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "check", "Instruction counts and accuracy of a build against the blessed record");
+  command->add_option("build", arguments->build, "Folder with kernel_benchmark");
+  command->add_option("--baseline", arguments->baseline, "The blessed record")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->add_flag("--bless", arguments->bless, "Make this build's record the blessed one");
+  command->add_flag("--all", arguments->all, "Show also what is the same");
+  command->callback([arguments, &exit_code] {
+    if (arguments->bless) {
+      bless(*arguments);
+    } else {
+      exit_code = run_check(*arguments);
+    }
+  });
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, ExitCode& exit_code) {
+  CLI::App* bench = app.add_subcommand(
+      "bench", "Track performance and accuracy (docs/how-to-read-benchmarks.md)");
+  bench->require_subcommand(1);
+  add_record(*bench);
+  add_compare(*bench, exit_code);
+  add_self_test(*bench, exit_code);
+  add_check(*bench, exit_code);
+}
+
+}  // namespace wavecurve::tools
