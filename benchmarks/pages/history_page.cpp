@@ -253,7 +253,11 @@ reports::Page history_page(const std::vector<Json>& history) {
                              fmt::format("{:.0f}", instructions.back()),
                              names_of(changes(medians, noise_of_times), history),
                              names_of(changes(instructions, noise_of_counts), history)});
-    charts.emplace_back(time_chart("time-" + short_name(kernel), kernel, history, times, name));
+    // Records of counts alone have no times to draw.
+    const bool is_timed = !std::ranges::all_of(medians, [](double t) { return std::isnan(t); });
+    if (is_timed) {
+      charts.emplace_back(time_chart("time-" + short_name(kernel), kernel, history, times, name));
+    }
     charts.emplace_back(count_chart("count-" + short_name(kernel), kernel, history));
   }
   const Paragraph how{
