@@ -29,8 +29,10 @@ nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp
 gnuplot-nox           program:gnuplot
 '
-# Some of them are peers: measured beside the library, never used by it.
+# For git, see benchmarks/tracking: it builds revisions. Some others are peers: measured beside the
+# library, never used by it.
 benchmark_packages='
+git                   program:git
 libbenchmark-dev      header:benchmark/benchmark.h
 libgsl-dev            header:gsl/gsl_wavelet.h
 libsundials-dev       header:cvode/cvode.h
@@ -38,7 +40,6 @@ python3               program:/usr/bin/python3
 python3-pywt          module:pywt
 '
 tracking_packages='
-git                   program:git
 valgrind              program:valgrind
 python3-mpmath        module:mpmath
 '
