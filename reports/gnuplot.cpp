@@ -1,20 +1,13 @@
 #include "gnuplot.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fcntl.h>
-#include <spawn.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/run_program.hpp"
 #include "wavecurve/io/write_file.hpp"
-
-extern char** environ;
 
 namespace wavecurve::reports {
 
@@ -68,46 +61,10 @@ std::string data_text(const verification::Table& table) {
   return text;
 }
 
-[[noreturn]] void fail(int error, const std::string& what) {
-  throw std::system_error(error, std::generic_category(), what);
-}
-
-/// The child's working directory, and its standard streams: no input, its output and its complaints
-/// into a file.
-class ChildSetup {
- public:
-  ChildSetup(const fs::path& directory, const fs::path& complaints) {
-    posix_spawn_file_actions_init(&actions_);
-    // Opened before the change of directory: both paths may be relative to ours.
-    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, 2, complaints.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0666);
-    posix_spawn_file_actions_adddup2(&actions_, 2, 1);
-    posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
-  }
-  ~ChildSetup() { posix_spawn_file_actions_destroy(&actions_); }
-  ChildSetup(const ChildSetup&) = delete;
-  ChildSetup& operator=(const ChildSetup&) = delete;
-
-  const posix_spawn_file_actions_t* actions() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-/// The status of `gnuplot script`, run in the directory.
-int run_gnuplot(std::string script, const fs::path& directory, const fs::path& complaints) {
-  const ChildSetup setup(directory, complaints);
-  std::string program = "gnuplot";
-  char* arguments[] = {program.data(), script.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", setup.actions(), nullptr, arguments, environ);
-  if (error != 0) fail(error, "cannot run gnuplot (Debian package gnuplot-nox)");
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) fail(errno, "cannot wait for gnuplot");
-  }
-  return status;
+io::ProgramRun run_gnuplot(const std::string& script, const fs::path& directory) try {
+  return io::run_program({"gnuplot", script}, directory);
+} catch (const std::system_error& error) {
+  throw std::system_error(error.code(), "cannot run gnuplot (Debian package gnuplot-nox)");
 }
 
 /// gnuplot echoes a faulty command before the line that says what is wrong with it,
@@ -124,17 +81,14 @@ std::string first_complaint(std::string_view text, const std::string& script) {
 void draw_chart(const Chart& chart, const fs::path& directory) {
   const std::string script = chart.id + ".gp";
   const fs::path picture = directory / (chart.id + ".svg");
-  const fs::path complaints = directory / (chart.id + ".err");
   io::write_file(directory / script, script_text(chart));
   io::write_file(directory / (chart.id + ".dat"), data_text(chart.data));
   // An older picture must not pass for the one that gnuplot failed to draw.
   fs::remove(picture);
-  const int status = run_gnuplot(script, directory, complaints);
-  const std::string complaint = io::read_file(complaints);
-  fs::remove(complaints);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !fs::exists(picture)) {
+  const io::ProgramRun run = run_gnuplot(script, directory);
+  if (run.exit_code != 0 || !fs::exists(picture)) {
     throw std::runtime_error("gnuplot failed on " + (directory / script).string() + ": " +
-                             first_complaint(complaint, script));
+                             first_complaint(run.err, script));
   }
 }
 

@@ -9,145 +9,17 @@
 
 #include <fmt/format.h>
 
-#include "bootstrap.hpp"
-#include "change_points.hpp"
+#include "history_charts.hpp"
+#include "history_series.hpp"
 #include "limit_reasons.hpp"
-#include "timing.hpp"
 
 namespace wavecurve::tracking {
 
 namespace {
 
-using verification::Chart;
 using verification::Evidence;
 using verification::Paragraph;
 using verification::Table;
-
-/// One quantity over the records; not a number where a record does not have it.
-using Series = std::vector<double>;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-// Below these a series is taken to repeat: counts do to 2e-3 where memory is allocated; medians of
-// times on a shared machine to a few percent.
-constexpr double noise_of_counts = 1e-3, noise_of_times = 0.02, noise_of_accuracy = 1e-3;
-
-double number(const Json& record, const std::string& pointer) {
-  const Json::json_pointer place(pointer);
-  return record.contains(place) && record[place].is_number() ? record[place].get<double>()
-                                                             : missing;
-}
-
-/// By benchmark: median, least and largest processor time in seconds.
-struct Times {
-  double median, least, largest;
-};
-std::map<std::string, Times> times_of(const Json& record) {
-  std::map<std::string, Times> times;
-  for (const Json& entry : record.value("benchmarks", Json::array())) {
-    if (!entry.contains("cpu_time")) continue;
-    std::vector<double> all = entry["cpu_time"].get<std::vector<double>>();
-    const double unit = seconds_of_unit(entry["time_unit"].get<std::string>());
-    for (double& time : all) time *= unit;
-    times[entry["name"].get<std::string>()] = {median(all), std::ranges::min(all),
-                                               std::ranges::max(all)};
-  }
-  return times;
-}
-
-/// Indices of the records whose values begin a new level, of the values that are there.
-std::vector<std::size_t> changes(const Series& series, double noise) {
-  Series logs;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    if (!(series[i] > 0)) continue;
-    logs.push_back(std::log(series[i]));
-    places.push_back(i);
-  }
-  std::vector<std::size_t> result;
-  for (const std::size_t i : change_points(logs, noise)) result.push_back(places[i]);
-  return result;
-}
-
-std::string cell(double value) { return std::isnan(value) ? "?" : fmt::format("{:.4g}", value); }
-
-std::string revision(const Json& record) {
-  const std::string name = record["revision"].value("commit", "?").substr(0, 8);
-  return record["revision"].value("is_dirty", false) ? name + "+" : name;
-}
-
-/// The chart of a kernel's times with its limits, in microseconds.
-Chart time_chart(const std::string& id, const std::string& kernel, const std::vector<Json>& history,
-                 const std::vector<std::map<std::string, Times>>& times, const std::string& name) {
-  Chart chart;
-  chart.id = id;
-  chart.data = {
-      fmt::format("{}: processor time of a run in µs, and what the machine could do", name),
-      {"record", "revision", "median", "least", "largest", "copy of its data", "its arithmetic"},
-      {}};
-  Series medians;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const auto found = times[i].find(name);
-    const bool is_there = found != times[i].end();
-    const Times t = is_there ? found->second : Times{missing, missing, missing};
-    const std::string limit = "/limits/kernels/" + kernel + "/";
-    medians.push_back(t.median);
-    chart.data.rows.push_back({std::to_string(i + 1), revision(history[i]), cell(t.median * 1e6),
-                               cell(t.least * 1e6), cell(t.largest * 1e6),
-                               cell(number(history[i], limit + "copy_seconds") * 1e6),
-                               cell(number(history[i], limit + "arithmetic_seconds") * 1e6)});
-  }
-  chart.script =
-      "set datafile missing \"?\"\nset logscale y\nset format y \"%g\"\n"
-      "set ylabel \"µs a run\"\nset xlabel \"record (revision)\"\n";
-  chart.script += fmt::format("set xrange [0.5:{}]\nset xtics rotate by -30\n",
-                              static_cast<double>(history.size()) + 0.5);
-  for (const std::size_t i : changes(medians, noise_of_times)) {
-    chart.script += fmt::format(
-        "set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb "
-        "\"#333333\" dashtype 3\n",
-        static_cast<double>(i) + 0.5);
-  }
-  chart.script +=
-      "plot data using 1:3:4:5:xtic(2) with yerrorbars lt 1 title \"median, least to largest\", "
-      "\\\n"
-      "  data using 1:6 with linespoints lt 2 title \"copy of its data\", \\\n"
-      "  data using 1:7 with linespoints lt 3 title \"its arithmetic\"\n";
-  return chart;
-}
-
-Chart count_chart(const std::string& id, const std::string& kernel,
-                  const std::vector<Json>& history) {
-  Chart chart;
-  chart.id = id;
-  chart.data = {kernel + ": instructions and data references of a run",
-                {"record", "revision", "instructions", "data references"},
-                {}};
-  Series counts;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const std::string place = "/kernels/" + kernel + "/";
-    counts.push_back(number(history[i], place + "instructions"));
-    const double references =
-        number(history[i], place + "data_reads") + number(history[i], place + "data_writes");
-    const auto whole = [](double v) { return std::isnan(v) ? "?" : fmt::format("{:.0f}", v); };
-    chart.data.rows.push_back(
-        {std::to_string(i + 1), revision(history[i]), whole(counts.back()), whole(references)});
-  }
-  chart.script =
-      "set datafile missing \"?\"\nset yrange [0:*]\nset format y \"%.3s %c\"\n"
-      "set xlabel \"record (revision)\"\nset ylabel \"a run\"\n";
-  chart.script += fmt::format("set xrange [0.5:{}]\nset xtics rotate by -30\n",
-                              static_cast<double>(history.size()) + 0.5);
-  for (const std::size_t i : changes(counts, noise_of_counts)) {
-    chart.script += fmt::format(
-        "set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb "
-        "\"#333333\" dashtype 3\n",
-        static_cast<double>(i) + 0.5);
-  }
-  chart.script +=
-      "plot data using 1:3:xtic(2) with linespoints lt 1 title \"instructions\", \\\n"
-      "  data using 1:4 with linespoints lt 2 title \"data references\"\n";
-  return chart;
-}
 
 std::string names_of(const std::vector<std::size_t>& places, const std::vector<Json>& history) {
   std::string text;
@@ -192,8 +64,7 @@ Table accuracy_table(const std::vector<Json>& history) {
   return table;
 }
 
-Table other_times(const std::vector<Json>& history,
-                  const std::vector<std::map<std::string, Times>>& times) {
+Table other_times(const std::vector<Json>& history, const std::vector<TimesByName>& times) {
   Table table{"Every benchmark of the latest record: median time in µs, and where it changed",
               {"benchmark", "median", "least", "largest", "changed at"},
               {}};
@@ -210,7 +81,7 @@ Table other_times(const std::vector<Json>& history,
 }
 
 /// Kernels that take more than 2.5 times what the machine allows.
-Table far_from_limits(const Json& record, const std::map<std::string, Times>& times) {
+Table far_from_limits(const Json& record, const TimesByName& times) {
   constexpr double far = 2.5;
   Table table{"More than 2.5 times the physical limit, and why",
               {"kernel", "times the limit", "limited by", "why"},
@@ -230,7 +101,7 @@ Table far_from_limits(const Json& record, const std::map<std::string, Times>& ti
 reports::Page history_page(const std::vector<Json>& history) {
   if (history.empty())
     throw std::invalid_argument("the history has 0 records; tools/bench.sh record adds one");
-  std::vector<std::map<std::string, Times>> times;
+  std::vector<TimesByName> times;
   for (const Json& record : history) times.push_back(times_of(record));
   const Json& last = history.back();
 
@@ -274,7 +145,7 @@ reports::Page history_page(const std::vector<Json>& history) {
   return {"Performance and accuracy over the records",
           generated,
           {{"Overview", {how, overview, far_from_limits(last, times.back())}},
-           {"Accuracy", {accuracy_table(history)}},
+           {"Accuracy", {accuracy_chart(history), accuracy_table(history)}},
            {"Kernel by kernel", charts},
            {"All benchmarks", {other_times(history, times)}}}};
 }

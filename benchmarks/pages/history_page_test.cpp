@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "history_charts.hpp"
+
 namespace wavecurve::tracking {
 namespace {
 
@@ -40,11 +42,25 @@ TEST(HistoryPage, MarksWhereAKernelChanged) {
   EXPECT_EQ(row[3], "copy");
   EXPECT_EQ(row[6], "00000006");
   EXPECT_EQ(row[7], "00000006");
-  const auto& accuracy = std::get<verification::Table>(page.sections[1].evidence[0]);
+  const auto& accuracy = std::get<verification::Table>(page.sections[1].evidence[1]);
   EXPECT_EQ(accuracy.rows[0].back(), "none");
   const auto& chart = std::get<verification::Chart>(page.sections[2].evidence[0]);
   EXPECT_NE(chart.script.find("set arrow from 6.5"), std::string::npos);
   EXPECT_EQ(chart.data.rows.size(), 10u);
+}
+
+TEST(HistoryPage, DrawsTheAccuraciesThatChanged) {
+  std::vector<Json> records = history();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i]["accuracy"]["steps"] = {{"kind", "iterations"}, {"value", i < 4 ? 10 : 15}};
+  }
+  const verification::Chart chart = accuracy_chart(records);
+  const std::vector<std::string> columns{"record", "revision", "steps (iterations)",
+                                         "1 quantities that never changed"};
+  EXPECT_EQ(chart.data.columns, columns);
+  EXPECT_EQ(chart.data.rows[3], (std::vector<std::string>{"4", "00000003", "1", "1"}));
+  EXPECT_EQ(chart.data.rows[4], (std::vector<std::string>{"5", "00000004", "1.5", "1"}));
+  EXPECT_NE(chart.script.find("set arrow from 4.5"), std::string::npos);
 }
 
 TEST(HistoryPage, TakesRecordsThatLackParts) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "run_program.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -27,7 +27,7 @@ class Pairs {
     arguments[0] = (root_ / "benchmarks" / "peers" / arguments[0]).string();
     arguments.insert(arguments.begin(), "/usr/bin/python3");
     return [arguments] {
-      const Json printed = Json::parse(output_of(arguments));
+      const Json printed = Json::parse(io::output_of(arguments));
       return printed.is_number() ? printed.get<double>() : printed["seconds"].get<double>();
     };
   }

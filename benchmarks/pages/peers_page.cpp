@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/run_program.hpp"
 #include "wavecurve/io/write_file.hpp"
 
 #include "machine_fingerprint.hpp"
 #include "make_record.hpp"
 #include "peers.hpp"
-#include "run_program.hpp"
 #include "verdict.hpp"
 
 namespace wavecurve::tracking {
@@ -104,10 +104,11 @@ Table losses(const std::vector<PeerResult>& results) {
 /// Worst tap of each family, by table.
 Table digits_table(const Build& build, const fs::path& root) {
   const fs::path file = fs::temp_directory_path() / "wavecurve_pywavelets.json";
-  io::write_file(file, output_of({"/usr/bin/python3",
-                                  (root / "lib/wavecurve/filters/pywavelets_tables.py").string()}));
+  io::write_file(file,
+                 io::output_of({"/usr/bin/python3",
+                                (root / "lib/wavecurve/filters/pywavelets_tables.py").string()}));
   const Json digits =
-      Json::parse(output_of({(build.programs / "filter_digits").string(), file.string()}));
+      Json::parse(io::output_of({(build.programs / "filter_digits").string(), file.string()}));
   fs::remove(file);
   Table table{
       "The worst tap of each family in units in the last place of a double, against "
@@ -131,12 +132,12 @@ Table digits_table(const Build& build, const fs::path& root) {
 
 std::string versions(const Build& build) {
   const Json environment = ask(build, "--environment");
-  const std::string python = output_of(
+  const std::string python = io::output_of(
       {"/usr/bin/python3", "-c",
        "import sys, numpy, pywt, mpmath; print('Python', sys.version.split()[0], 'NumPy', "
        "numpy.__version__, 'PyWavelets', pywt.__version__, 'mpmath', mpmath.__version__)"});
   const std::string libraries =
-      output_of({(build.programs / "filter_digits").string(), "--versions"});
+      io::output_of({(build.programs / "filter_digits").string(), "--versions"});
   return fmt::format("{}; flags {}; {}; {}; {}; processor times on {}, {} processors, shared.",
                      environment["compiler"].get<std::string>(),
                      environment["flags"].get<std::string>(), environment["libraries"].dump(),

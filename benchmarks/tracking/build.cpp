@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "run_program.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -21,7 +21,7 @@ std::vector<fs::path> Build::all_programs() const {
 }
 
 Json ask(const Build& build, const std::string& question) {
-  return Json::parse(output_of({build.kernel_program().string(), question}));
+  return Json::parse(io::output_of({build.kernel_program().string(), question}));
 }
 
 Build build_in(const fs::path& folder) {

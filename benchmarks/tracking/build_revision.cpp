@@ -11,8 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/run_program.hpp"
+
 #include "build.hpp"
-#include "run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -28,7 +29,7 @@ std::string without_newline(std::string text) {
 std::string git(const fs::path& root, std::vector<std::string> arguments,
                 const std::vector<std::string>& environment = {}) {
   arguments.insert(arguments.begin(), "git");
-  return without_newline(output_of(arguments, root, environment));
+  return without_newline(io::output_of(arguments, root, environment));
 }
 
 /// One at a time: the worktree serves all.
@@ -61,7 +62,7 @@ std::string snapshot(const fs::path& root, const fs::path& folder) {
 }
 
 std::string commit_of(const fs::path& root, const std::string& revision) {
-  const ProgramRun found = run_program(
+  const io::ProgramRun found = io::run_program(
       {"git", "rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"},
       root);
   if (found.exit_code == 0) return without_newline(found.out);
@@ -79,7 +80,7 @@ Json describe(const fs::path& root, const std::string& commit, bool is_dirty) {
 /// Programs depend on no more than the sources and the compiler; headers of libraries are seen by
 /// ninja, or told by kernel_benchmark --environment.
 std::string key_of(const fs::path& root, const std::string& commit) {
-  const std::string compiler = output_of({"c++", "--version"});
+  const std::string compiler = io::output_of({"c++", "--version"});
   const char* flags = std::getenv("CXXFLAGS");
   const std::size_t hash = std::hash<std::string>()(compiler + (flags ? flags : ""));
   return git(root, {"rev-parse", "--short=16", commit + "^{tree}"}) +
@@ -110,15 +111,15 @@ std::vector<std::string> targets(const fs::path& worktree, Programs programs) {
 
 std::vector<std::string> compile(const fs::path& worktree, const fs::path& tree,
                                  Programs programs) {
-  output_of({"cmake", "-S", worktree.string(), "-B", tree.string(), "-G", "Ninja",
-             "-DCMAKE_BUILD_TYPE=Release", "-DWAVECURVE_TESTS=OFF", "-DWAVECURVE_PROGRAMS=OFF",
-             "-DWAVECURVE_BENCHMARKS=ON"});
+  io::output_of({"cmake", "-S", worktree.string(), "-B", tree.string(), "-G", "Ninja",
+                 "-DCMAKE_BUILD_TYPE=Release", "-DWAVECURVE_TESTS=OFF", "-DWAVECURVE_PROGRAMS=OFF",
+                 "-DWAVECURVE_BENCHMARKS=ON"});
   const std::vector<std::string> chosen = targets(worktree, programs);
   const std::string processors = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<std::string> command{"cmake",      "--build",  tree.string(),
                                    "--parallel", processors, "--target"};
   command.insert(command.end(), chosen.begin(), chosen.end());
-  output_of(command);
+  io::output_of(command);
   return chosen;
 }
 

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/io/run_program.hpp"
 #include "wavecurve/io/write_file.hpp"
-
-#include "run_program.hpp"
 
 namespace wavecurve::tracking {
 namespace {
@@ -20,7 +19,7 @@ class BuildTest : public testing::Test {
   void SetUp() override {
     for (const char* program : {"git", "cmake", "ninja"}) {
       try {
-        run_program({program, "--version"});
+        io::run_program({program, "--version"});
       } catch (const std::system_error&) {
         GTEST_SKIP() << program << " is not there";
       }
@@ -43,14 +42,14 @@ class BuildTest : public testing::Test {
   void git(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(),
                      {"git", "-c", "user.name=n", "-c", "user.email=e@localhost"});
-    output_of(arguments, root_);
+    io::output_of(arguments, root_);
   }
   void commit() const {
     git({"add", "--all"});
     git({"commit", "--quiet", "-m", "a change"});
   }
   static int result(const Build& build) {
-    return run_program({(build.programs / "tiny_benchmark").string()}).exit_code;
+    return io::run_program({(build.programs / "tiny_benchmark").string()}).exit_code;
   }
 
   const fs::path root_ =
@@ -68,11 +67,11 @@ TEST_F(BuildTest, BuildsRevisionsAndTheWorkingTree) {
 
   EXPECT_EQ(build_revision(root_, "", Programs::all).programs, after.programs);
   source("return 7;");
-  const std::string status = output_of({"git", "status", "--short"}, root_);
+  const std::string status = io::output_of({"git", "status", "--short"}, root_);
   const Build now = build_revision(root_, "", Programs::all);
   EXPECT_EQ(result(now), 7);
   EXPECT_EQ(now.revision["is_dirty"], true);
-  EXPECT_EQ(output_of({"git", "status", "--short"}, root_), status);
+  EXPECT_EQ(io::output_of({"git", "status", "--short"}, root_), status);
   EXPECT_EQ(result(before), 0);
 }
 

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 #include "bootstrap.hpp"
-#include "run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -74,7 +74,7 @@ std::vector<Counts> count_once(const fs::path& program, const std::vector<Counte
     command.insert(command.end(),
                    {kernel.name, std::to_string(kernel.size), std::to_string(kernel.runs)});
   }
-  output_of(command);
+  io::output_of(command);
   std::vector<Counts> counts = read_totals(io::read_file(folder.path() / "counts"));
   // The last part is what comes after the last kernel: nothing.
   if (counts.size() < kernels.size()) {
@@ -113,7 +113,7 @@ std::vector<Counts> count_instructions(const fs::path& program,
 }
 
 std::string valgrind_version() {
-  std::string version = output_of({"valgrind", "--version"});
+  std::string version = io::output_of({"valgrind", "--version"});
   while (!version.empty() && version.back() == '\n') version.pop_back();
   return version;
 }

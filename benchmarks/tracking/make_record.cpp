@@ -7,8 +7,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "wavecurve/io/run_program.hpp"
+
 #include "machine_fingerprint.hpp"
-#include "run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -37,7 +38,7 @@ Json as_json(const std::vector<CountedKernel>& kernels, const std::vector<Counts
 
 /// The vectors that programs find on the processor that valgrind plays.
 std::string vectors_in_valgrind(const Build& build) {
-  const std::string text = output_of(
+  const std::string text = io::output_of(
       {"valgrind", "--tool=none", "-q", build.kernel_program().string(), "--environment"});
   return Json::parse(text)["vectors"].get<std::string>();
 }
@@ -45,7 +46,7 @@ std::string vectors_in_valgrind(const Build& build) {
 /// Whether it runs, too: some containers do not let it.
 bool has_valgrind() {
   try {
-    return run_program({"valgrind", "--tool=none", "-q", "true"}).exit_code == 0;
+    return io::run_program({"valgrind", "--tool=none", "-q", "true"}).exit_code == 0;
   } catch (const std::system_error&) {
     return false;
   }

@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/read_file.hpp"
-
-#include "run_program.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 namespace wavecurve::tracking {
 
@@ -42,7 +41,7 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
   arguments.insert(arguments.begin(), {"timeout", std::to_string(longest), program.string()});
   arguments.push_back("--benchmark_out=" + file);
   arguments.emplace_back("--benchmark_out_format=json");
-  const ProgramRun run = run_program(arguments);
+  const io::ProgramRun run = io::run_program(arguments);
   // The spread of a counter that is always 0 is written as NaN, which JSON does not have.
   static const std::regex no_number(": -?(nan|inf)[a-z]*", std::regex::icase);
   const std::string text = std::regex_replace(io::read_file(file), no_number, ": null");
@@ -69,7 +68,7 @@ double seconds_of_unit(const std::string& unit) {
 std::vector<BenchmarkName> list_benchmarks(const fs::path& program, const std::string& filter) {
   const std::regex wanted(filter);
   std::vector<BenchmarkName> names;
-  std::istringstream lines(output_of({program.string(), "--benchmark_list_tests"}));
+  std::istringstream lines(io::output_of({program.string(), "--benchmark_list_tests"}));
   for (std::string line; std::getline(lines, line);) {
     // Lines with blanks are a program's own.
     const bool is_name = !line.empty() && line.find(' ') == std::string::npos;

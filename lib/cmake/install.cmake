@@ -11,7 +11,7 @@ foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets wavecurve-io-
   install(EXPORT ${set} NAMESPACE wavecurve:: DESTINATION ${package_dir})
 endforeach()
 install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "*_test.hpp" EXCLUDE)
+        PATTERN "*_test.hpp" EXCLUDE PATTERN "json_values.hpp" EXCLUDE)
 
 configure_package_config_file(cmake/wavecurve-config.cmake.in wavecurve-config.cmake
                               INSTALL_DESTINATION ${package_dir})

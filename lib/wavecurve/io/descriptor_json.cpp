@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/json_values.hpp"
 #include "wavecurve/io/read_file.hpp"
 #include "wavecurve/transform/bands.hpp"
 
@@ -21,10 +22,6 @@ constexpr const char* format_name = "wavecurve-descriptor";
 constexpr int version = 1;
 
 // Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few lines.
-
-std::string quoted(const std::string& text) {
-  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-}
 
 std::string colour_text(const std::optional<Colour>& colour) {
   return colour ? fmt::format("[{}, {}, {}]", colour->red, colour->green, colour->blue) : "null";
@@ -55,26 +52,6 @@ std::string layer_text(const LayerDescriptor& layer) {
 
 // Reading.
 
-double number(const json& value, const std::string& what,
-              double largest = std::numeric_limits<double>::max()) {
-  // JSON has no infinities: what is too large for a double comes as one, or as no number.
-  const double result = value.is_number() ? value.get<double>() : std::nan("");
-  if (!(std::abs(result) <= largest)) {
-    throw std::invalid_argument(fmt::format("{} is {}, but must be a finite number{}", what,
-                                            value.dump(), largest <= 1 ? " up to 1" : ""));
-  }
-  return result;
-}
-
-int whole_number(const json& object, const char* key) {
-  const json& value = object.at(key);
-  if (!value.is_number_integer() || value < 0 || value > most_samples) {
-    throw std::invalid_argument(fmt::format("{} is {}, but must be a whole number from 0 to {}",
-                                            key, value.dump(), most_samples));
-  }
-  return value.get<int>();
-}
-
 /// Whether the second of two words stands there, not the first.
 bool is_second(const json& object, const char* key, const char* first, const char* second) {
   const json& value = object.at(key);
@@ -91,16 +68,17 @@ std::optional<Colour> colour_of(const json& object, const char* key) {
   if (!value.is_array() || value.size() != 3) {
     throw std::invalid_argument(fmt::format("{} must be null or [red, green, blue]", key));
   }
-  return Colour{number(value[0], key, 1), number(value[1], key, 1), number(value[2], key, 1)};
+  return Colour{number_in(value[0], key, 1), number_in(value[1], key, 1),
+                number_in(value[2], key, 1)};
 }
 
 Paint paint_of(const json& object) {
   Paint paint;
   paint.fill = colour_of(object, "fill");
   paint.stroke = colour_of(object, "stroke");
-  paint.fill_opacity = number(object.at("fill_opacity"), "fill_opacity", 1);
-  paint.stroke_opacity = number(object.at("stroke_opacity"), "stroke_opacity", 1);
-  paint.stroke_width = number(object.at("stroke_width"), "stroke_width");
+  paint.fill_opacity = number_in(object.at("fill_opacity"), "fill_opacity", 1);
+  paint.stroke_opacity = number_in(object.at("stroke_opacity"), "stroke_opacity", 1);
+  paint.stroke_width = number_in(object.at("stroke_width"), "stroke_width");
   const bool evenodd = is_second(object, "fill_rule", "nonzero", "evenodd");
   paint.fill_rule = evenodd ? FillRule::evenodd : FillRule::nonzero;
   return paint;
@@ -109,7 +87,7 @@ Paint paint_of(const json& object) {
 ContourDescriptor contour_of(const json& object, Eigen::Index samples) {
   ContourDescriptor contour;
   contour.closed = object.at("closed").get<bool>();
-  contour.length = number(object.at("length"), "length");
+  contour.length = number_in(object.at("length"), "length");
   contour.coefficients.resize(samples, 2);
   for (int column : {0, 1}) {
     const char* key = column == 0 ? "x" : "y";
@@ -119,7 +97,7 @@ ContourDescriptor contour_of(const json& object, Eigen::Index samples) {
           fmt::format("{} holds {} values, but samples is {}", key, values.size(), samples));
     }
     for (Eigen::Index i = 0; i < samples; ++i) {
-      contour.coefficients(i, column) = number(values[static_cast<std::size_t>(i)], key);
+      contour.coefficients(i, column) = number_in(values[static_cast<std::size_t>(i)], key);
     }
   }
   return contour;
@@ -137,31 +115,22 @@ LayerDescriptor layer_of(const json& object, Eigen::Index samples) try {
       fmt::format("layer {}: {}", object.at("id").get<std::string>(), error.what()));
 }
 
-void check_kind(const json& document) {
-  if (!document.is_object() || document.value("format", json()) != format_name) {
-    throw std::invalid_argument(fmt::format("\"format\" must be \"{}\"", format_name));
-  }
-  if (document.at("version") != version) {
-    throw std::invalid_argument(
-        fmt::format("version is {}, but must be {}", document.at("version").dump(), version));
-  }
-}
-
 ViewBox view_box_of(const json& value) {
   if (!value.is_array() || value.size() != 4) {
     throw std::invalid_argument("view_box must be [x, y, width, height]");
   }
-  const auto part = [&](std::size_t i) { return number(value[i], "view_box"); };
+  const auto part = [&](std::size_t i) { return number_in(value[i], "view_box"); };
   return {part(0), part(1), part(2), part(3)};
 }
 
 Descriptor descriptor_of(const json& document) {
-  check_kind(document);
+  check_kind(document, format_name, version);
   Descriptor descriptor;
   DescriptorOptions& options = descriptor.options;
   descriptor.filter = document.at("filter").get<std::string>();
-  options.samples = whole_number(document, "samples");
-  options.levels = whole_number(document, "levels");
+  options.samples =
+      static_cast<int>(whole_number(document.at("samples"), "samples", 0, most_samples));
+  options.levels = static_cast<int>(whole_number(document.at("levels"), "levels", 0, most_samples));
   check_samples(options.samples);
   multiscale_bands(options.samples, options.levels);
   const bool interpolate = is_second(document, "mode", "samples", "interpolate");

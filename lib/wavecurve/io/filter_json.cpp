@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/json_values.hpp"
 #include "wavecurve/io/read_file.hpp"
 
 namespace wavecurve::io {
@@ -17,12 +18,9 @@ using nlohmann::json;
   throw std::invalid_argument(path.string() + ": " + defect);
 }
 
-int whole_number(const json& object, const char* key) {
-  const json& value = object.at(key);
-  if (!value.is_number_integer() || value < -1000000 || value > 1000000) {
-    throw std::invalid_argument(std::string("\"") + key + "\" must be a whole number");
-  }
-  return value.get<int>();
+int small_integer(const json& object, const char* key) {
+  constexpr long most = 1000000;
+  return static_cast<int>(whole_number(object.at(key), key, -most, most));
 }
 
 std::string decimal(const json& tap) {
@@ -36,7 +34,7 @@ Filter<std::string> filter_of(const json& object) {
   if (!object.is_object() || !object.contains("taps") || !object["taps"].is_array()) {
     throw std::invalid_argument("a filter needs a list \"taps\"");
   }
-  if (object.contains("first_index")) filter.first_index = whole_number(object, "first_index");
+  if (object.contains("first_index")) filter.first_index = small_integer(object, "first_index");
   for (const json& tap : object["taps"]) filter.taps.push_back(decimal(tap));
   return filter;
 }
@@ -55,10 +53,10 @@ UserFilter user_filter_of(const json& document, const std::string& default_name)
   if (user.dual == user.taps) user.dual.reset();
   user.sum = document.value("sum", user.sum);
   if (document.contains("vanishing_moments")) {
-    user.vanishing_moments = whole_number(document, "vanishing_moments");
+    user.vanishing_moments = small_integer(document, "vanishing_moments");
   }
   if (document.contains("dual_vanishing_moments")) {
-    user.dual_vanishing_moments = whole_number(document, "dual_vanishing_moments");
+    user.dual_vanishing_moments = small_integer(document, "dual_vanishing_moments");
   }
   return user;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/io/json_values.hpp"
 #include "wavecurve/io/read_file.hpp"
 
 namespace wavecurve::io {
@@ -22,10 +23,6 @@ constexpr const char* format_name = "wavecurve-gait";
 constexpr int version = 1;
 
 // Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few lines.
-
-std::string quoted(const std::string& text) {
-  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-}
 
 std::string number_text(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
@@ -95,24 +92,7 @@ std::string lines(const Items& items, Text text) {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double number(const json& object, const char* key) {
-  const json& value = object.at(key);
-  const double result = value.is_number() ? value.get<double>() : none;
-  if (!std::isfinite(result)) {
-    throw std::invalid_argument(
-        fmt::format("{} is {}, but must be a finite number", key, value.dump()));
-  }
-  return result;
-}
-
-Index whole_number(const json& object, const char* key, Index most) {
-  const json& value = object.at(key);
-  if (!value.is_number_integer() || value < 0 || value > most) {
-    throw std::invalid_argument(
-        fmt::format("{} is {}, but must be a whole number from 0 to {}", key, value.dump(), most));
-  }
-  return value.get<Index>();
-}
+double number(const json& object, const char* key) { return number_in(object.at(key), key); }
 
 /// Finite numbers, or null where that is allowed; any number of them if none is asked for.
 Eigen::VectorXd list(const json& values, const char* what, Index size, bool null_allowed) {
@@ -162,7 +142,7 @@ PhaseMotion motion_of(const json& object, Index coefficients) {
 
 LimbPath path_of(const json& object, Index scale) {
   LimbPath path{object.at("limb").get<std::string>(),
-                whole_number(object, "foot", scale - 1),
+                whole_number(object.at("foot"), "foot", 0, scale - 1),
                 number(object, "offset"),
                 {}};
   try {
@@ -210,21 +190,12 @@ FitQuality quality_of(const json& object) {
           number(object, "residual_share_of_stride"),
           number(object, "cross_validated"),
           number(object, "foot_share_of_excursion"),
-          static_cast<int>(whole_number(object, "cycles", std::numeric_limits<int>::max()))};
-}
-
-void check_kind(const json& document) {
-  if (!document.is_object() || document.value("format", json()) != format_name) {
-    throw std::invalid_argument(fmt::format("\"format\" must be \"{}\"", format_name));
-  }
-  if (document.at("version") != version) {
-    throw std::invalid_argument(
-        fmt::format("version is {}, but must be {}", document.at("version").dump(), version));
-  }
+          static_cast<int>(
+              whole_number(object.at("cycles"), "cycles", 0, std::numeric_limits<int>::max()))};
 }
 
 GaitParameters parameters_of(const json& document) {
-  check_kind(document);
+  check_kind(document, format_name, version);
   GaitParameters parameters;
   parameters.period = number(document, "period");
   parameters.facing = number(document, "facing");
@@ -235,8 +206,8 @@ GaitParameters parameters_of(const json& document) {
                     parameters.period, parameters.facing));
   }
   parameters.filter = document.at("filter").get<std::string>();
-  parameters.samples = whole_number(document, "samples", most_samples);
-  parameters.scale = whole_number(document, "scale", parameters.samples);
+  parameters.samples = whole_number(document.at("samples"), "samples", 0, most_samples);
+  parameters.scale = whole_number(document.at("scale"), "scale", 0, parameters.samples);
   check_samples(parameters.samples);
   check_samples(parameters.scale);
   for (const json& limb : document.at("limbs")) {

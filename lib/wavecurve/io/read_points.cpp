@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/for_each_line.hpp"
 #include "wavecurve/io/svg/fit_view_box.hpp"
 #include "wavecurve/io/svg/path_builder.hpp"
 #include "wavecurve/io/svg/svg_length.hpp"
@@ -21,8 +22,6 @@ namespace {
 class PointsReader {
  public:
   void read_line(std::string_view line, int number) {
-    line = trimmed(line.substr(0, std::min(line.find('#'), line.size())));
-    if (line.empty()) return;
     const auto entries = split(line, ",;\t ");
     if (columns_ == 0 && is_header(entries)) return;
     if (columns_ == 0) columns_ = entries.size();
@@ -93,12 +92,7 @@ class PointsReader {
 
 DrawingFile read_points(std::string_view text) {
   PointsReader reader;
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    reader.read_line(text.substr(0, end), number);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  for_each_line(text, [&](std::string_view line, int number) { reader.read_line(line, number); });
   return reader.finish();
 }
 

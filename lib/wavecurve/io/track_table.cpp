@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/for_each_line.hpp"
 #include "wavecurve/io/svg/svg_length.hpp"
 #include "wavecurve/io/svg/text.hpp"
 #include "wavecurve/io/svg/tidy_outline.hpp"
@@ -94,8 +95,6 @@ class TableReader {
   explicit TableReader(const std::vector<std::string>& wanted) : wanted_(wanted) {}
 
   void read_line(std::string_view line, int number) {
-    line = trimmed(line.substr(0, std::min(line.find('#'), line.size())));
-    if (line.empty()) return;
     if (!columns_) {
       columns_.emplace(line, number);
       return;
@@ -268,12 +267,7 @@ class TableReader {
 
 TrackTable read_track_table(std::string_view text, const std::vector<std::string>& limbs) {
   TableReader reader(limbs);
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    reader.read_line(text.substr(0, end), number);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  for_each_line(text, [&](std::string_view line, int number) { reader.read_line(line, number); });
   return reader.finish();
 }
 

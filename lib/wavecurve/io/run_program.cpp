@@ -1,4 +1,4 @@
-#include "run_program.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace wavecurve::tracking {
+namespace wavecurve::io {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string output_of(const std::vector<std::string>& command, const fs::path& d
   throw std::runtime_error(line + " failed: " + complaint);
 }
 
-}  // namespace wavecurve::tracking
+}  // namespace wavecurve::io

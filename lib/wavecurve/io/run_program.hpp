@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace wavecurve::tracking {
+namespace wavecurve::io {
 
 struct ProgramRun {
   int exit_code;  ///< -1: ended by a signal
@@ -23,4 +23,4 @@ std::string output_of(const std::vector<std::string>& command,
                       const std::filesystem::path& directory = {},
                       const std::vector<std::string>& environment = {});
 
-}  // namespace wavecurve::tracking
+}  // namespace wavecurve::io

@@ -1,11 +1,11 @@
-#include "run_program.hpp"
+#include "wavecurve/io/run_program.hpp"
 
 #include <stdexcept>
 #include <system_error>
 
 #include <gtest/gtest.h>
 
-namespace wavecurve::tracking {
+namespace wavecurve::io {
 namespace {
 
 TEST(RunProgram, TakesOutputAndExitCode) {
@@ -32,4 +32,4 @@ TEST(RunProgram, SaysWhatFailed) {
 }
 
 }  // namespace
-}  // namespace wavecurve::tracking
+}  // namespace wavecurve::io
