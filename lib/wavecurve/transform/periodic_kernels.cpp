@@ -17,7 +17,7 @@ using Index = Eigen::Index;
 
 /// `at_once` vectors of each output: enough independent chains to hide the latency of an addition,
 /// and each vector of inputs is loaded once for both outputs. Vector i of tap t is at
-/// i spacing + t step of u and v. Weights of zero cost nothing.
+/// i spacing + t step of u and v.
 template <int at_once, class D, class T, class Store>
 HWY_INLINE void correlate_vectors(D d, const PolyphaseTaps<T>& taps, const T* HWY_RESTRICT u,
                                   const T* HWY_RESTRICT v, Index step, Index spacing, Store store) {
@@ -27,10 +27,10 @@ HWY_INLINE void correlate_vectors(D d, const PolyphaseTaps<T>& taps, const T* HW
   const auto load = [&](const T* at) HWY_ATTR {
     for (int i = 0; i < at_once; ++i) values[i] = hn::LoadU(d, at + i * spacing);
   };
-  const auto add = [&](T weight, V* sum) HWY_ATTR {
-    if (weight == 0) return;
+  const auto add = [&](const auto& weight, V* sum) HWY_ATTR {
+    if (weight.zero) return;
     for (int i = 0; i < at_once; ++i) {
-      sum[i] = hn::Add(sum[i], hn::Mul(hn::Set(d, weight), values[i]));
+      sum[i] = hn::Add(sum[i], hn::Mul(hn::Set(d, weight.value), values[i]));
     }
   };
   for (const PolyphaseTap<T>& tap : taps) {

@@ -10,10 +10,16 @@
 /// same bits, and so do single and interleaved signals (see Layout).
 namespace wavecurve {
 
-/// The weights of one tap t of both outputs of correlate_pair.
+/// The weights of one tap t of both outputs of correlate_pair. Zeros, which fill up the shorter
+/// filter, are skipped; asked for once, not in the loop.
 template <class Scalar>
 struct PolyphaseTap {
-  Scalar p_of_u, p_of_v, q_of_u, q_of_v;
+  struct Weight {
+    Weight(Scalar w) : value(w), zero(w == 0) {}
+    Scalar value;
+    bool zero;
+  };
+  Weight p_of_u, p_of_v, q_of_u, q_of_v;
 };
 template <class Scalar>
 using PolyphaseTaps = std::vector<PolyphaseTap<Scalar>>;
