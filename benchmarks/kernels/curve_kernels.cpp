@@ -75,6 +75,9 @@ std::vector<Kernel> curve_kernels() {
   cross.bytes = 2 * 8 * 1024;
   Kernel morph{"linear_frame", 1024, frame};
   morph.bytes = 3 * 2 * 8 * 1024;
+  // A point of a column: 2 products and a sum of the blend, and of all levels two sums of 8
+  // products, those of the 5 and 11 taps of the spline's synthesis by halves.
+  morph.operations = 2 * (3 + 2 * 15.0) * 1024;
   return {shift, cross, morph, {"fit_cubics", 256, cubics}};
 }
 

@@ -21,26 +21,24 @@ namespace wavecurve::tracking::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The doubles that were added and multiplied. Eight independent chains of each keep both units of
-/// a processor with a latency of four cycles busy.
+/// a processor with a latency of four cycles busy; from different starts, or the compiler would see
+/// that they are one.
 double work(long rounds, double* sink) {
   const hn::ScalableTag<double> d;
-  auto a0 = hn::Set(d, 1), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0, a6 = a0, a7 = a0;
-  auto m0 = a0, m1 = a0, m2 = a0, m3 = a0, m4 = a0, m5 = a0, m6 = a0, m7 = a0;
+  constexpr int chains = 8;
+  hn::Vec<decltype(d)> sum[chains], product[chains];
+  for (int i = 0; i < chains; ++i) sum[i] = product[i] = hn::Set(d, 1 + i);
   const auto step = hn::Set(d, 1e-9), factor = hn::Set(d, 1 - 1e-9);
-  for (long i = 0; i < rounds; ++i) {
-    a0 = hn::Add(a0, step), m0 = hn::Mul(m0, factor), a1 = hn::Add(a1, step);
-    m1 = hn::Mul(m1, factor), a2 = hn::Add(a2, step), m2 = hn::Mul(m2, factor);
-    a3 = hn::Add(a3, step), m3 = hn::Mul(m3, factor), a4 = hn::Add(a4, step);
-    m4 = hn::Mul(m4, factor), a5 = hn::Add(a5, step), m5 = hn::Mul(m5, factor);
-    a6 = hn::Add(a6, step), m6 = hn::Mul(m6, factor), a7 = hn::Add(a7, step);
-    m7 = hn::Mul(m7, factor);
+  for (long round = 0; round < rounds; ++round) {
+    for (int i = 0; i < chains; ++i) {
+      sum[i] = hn::Add(sum[i], step);
+      product[i] = hn::Mul(product[i], factor);
+    }
   }
-  auto sum = a0;
-  for (const auto& v : {a1, a2, a3, a4, a5, a6, a7, m0, m1, m2, m3, m4, m5, m6, m7}) {
-    sum = hn::Add(sum, v);
-  }
-  *sink = hn::GetLane(sum);
-  return 16.0 * static_cast<double>(hn::Lanes(d)) * static_cast<double>(rounds);
+  auto total = hn::Zero(d);
+  for (int i = 0; i < chains; ++i) total = hn::Add(total, hn::Add(sum[i], product[i]));
+  *sink = hn::GetLane(total);
+  return 2.0 * chains * static_cast<double>(hn::Lanes(d)) * static_cast<double>(rounds);
 }
 
 }  // namespace wavecurve::tracking::HWY_NAMESPACE

@@ -31,8 +31,8 @@ class MultiscaleOperator {
   void apply_circulant();
 
   PeriodicTransform<double> transform_;
-  Eigen::Index first_offset_;          ///< the earliest input of an output, relative to it
-  std::vector<double> weights_;        ///< scaled mu, reversed, padded to an even number
+  int sign_;                           ///< of mu_{-l} relative to mu_l
+  std::vector<double> weights_;        ///< scaled mu_l, l = 0, 1, ...
   std::vector<double> window_;         ///< inputs of a block that wraps around
   Eigen::VectorXd samples_, product_;  ///< S x and T S x
   Eigen::VectorXd workspace_;

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/transform/interleave.hpp"
+#include "wavecurve/transform/periodic_kernels.hpp"
 #include "wavecurve/transform/rotation_cascade.hpp"
 
 namespace wavecurve {
@@ -36,23 +36,15 @@ class FilterPair {
                          Scalar* buffer) const;
 
  private:
-  /// Taps 2t and 2t + 1, t = first .. first + pairs_ - 1, in this order and reversed.
-  struct Polyphase {
-    Eigen::Index first = 0;
-    std::vector<Scalar> even, odd, reversed_even, reversed_odd;
-  };
-  static Polyphase polyphase(const Filter<Scalar>& filter, int pairs);
-
   void analyse_one(const Scalar* fine, Eigen::Index half, Scalar* c, Scalar* d,
                    Scalar* buffer) const;
   void analyse_group(const Scalar* fine, Eigen::Index half, Scalar* c, Scalar* d,
                      Scalar* buffer) const;
-  /// The pairs of samples from the first that c_n or d_n needs to the last that c_{n + count - 1}
-  /// or d_{n + count - 1} needs: `count` more than this.
-  Eigen::Index overlap() const;
 
-  int pairs_;
-  Polyphase low_, high_;
+  Eigen::Index first_;               ///< the first pair of samples that c_0 or d_0 needs
+  Eigen::Index c_delay_, d_delay_;   ///< the first of c, of d, that fine_0 needs, is at - delay
+  PolyphaseTaps<Scalar> analysis_;   ///< of the even and the odd samples, to c and d
+  PolyphaseTaps<Scalar> synthesis_;  ///< of c and d, to the even and the odd samples
   std::optional<RotationCascade<Scalar>> rotations_;  ///< of an orthonormal pair
 };
 

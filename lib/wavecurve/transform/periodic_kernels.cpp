@@ -15,41 +15,55 @@ namespace wavecurve::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Index = Eigen::Index;
 
-/// `sums` vectors of outputs at once: enough independent chains to hide the latency of an addition.
-/// Vector i of tap t is at i spacing + t step of u and v.
-template <int sums, class D, class T = hn::TFromD<D>>
-HWY_INLINE void correlate_vectors(D d, const T* u_weight, const T* v_weight, int taps,
-                                  const T* HWY_RESTRICT u, const T* HWY_RESTRICT v, Index step,
-                                  Index spacing, T* HWY_RESTRICT out, Index out_spacing) {
-  hn::Vec<D> sum[sums];
-  for (int i = 0; i < sums; ++i) sum[i] = hn::Zero(d);
-  for (int t = 0; t < taps; ++t) {
-    const auto weight_of_u = hn::Set(d, u_weight[t]), weight_of_v = hn::Set(d, v_weight[t]);
-    for (int i = 0; i < sums; ++i) {
-      const Index at = t * step + i * spacing;
-      sum[i] = hn::Add(sum[i], hn::Mul(weight_of_u, hn::LoadU(d, u + at)));
-      sum[i] = hn::Add(sum[i], hn::Mul(weight_of_v, hn::LoadU(d, v + at)));
+/// `at_once` vectors of each output: enough independent chains to hide the latency of an addition,
+/// and each vector of inputs is loaded once for both outputs. Vector i of tap t is at
+/// i spacing + t step of u and v.
+template <int at_once, class D, class T, class Store>
+HWY_INLINE void correlate_vectors(D d, const PolyphaseTaps<T>& taps, const T* HWY_RESTRICT u,
+                                  const T* HWY_RESTRICT v, Index step, Index spacing, Store store) {
+  using V = hn::Vec<D>;
+  V p[at_once], q[at_once], values[at_once];
+  for (int i = 0; i < at_once; ++i) p[i] = q[i] = hn::Zero(d);
+  const auto load = [&](const T* at) HWY_ATTR {
+    for (int i = 0; i < at_once; ++i) values[i] = hn::LoadU(d, at + i * spacing);
+  };
+  const auto add = [&](const auto& weight, V* sum) HWY_ATTR {
+    if (weight.zero) return;
+    for (int i = 0; i < at_once; ++i) {
+      sum[i] = hn::Add(sum[i], hn::Mul(hn::Set(d, weight.value), values[i]));
     }
+  };
+  for (const PolyphaseTap<T>& tap : taps) {
+    load(u);
+    add(tap.p_of_u, p);
+    add(tap.q_of_u, q);
+    load(v);
+    add(tap.p_of_v, p);
+    add(tap.q_of_v, q);
+    u += step;
+    v += step;
   }
-  for (int i = 0; i < sums; ++i) hn::StoreU(sum[i], d, out + i * out_spacing);
+  for (int i = 0; i < at_once; ++i) store(p[i], q[i], i);
 }
 
-constexpr int sums_at_once = 8;
+constexpr int most_at_once = HWY_MAX_BYTES == 64 ? 8 : 4;
 
-template <class T>
-HWY_INLINE void correlate(const T* u_weight, const T* v_weight, int taps, const T* u, const T* v,
-                          Index count, T* out) {
+/// store(d, p, q, l) takes vectors of outputs from the l-th on.
+template <class T, class Store>
+HWY_INLINE void correlate(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index count,
+                          Store store) {
   const hn::ScalableTag<T> d;
   const Index lanes = static_cast<Index>(hn::Lanes(d));
   Index l = 0;
-  const auto advance = [&](auto tag, auto sums) {
+  const auto advance = [&](auto tag, auto at_once) HWY_ATTR {
     const Index spacing = static_cast<Index>(hn::Lanes(tag));
-    for (; l + sums * spacing <= count; l += sums * spacing) {
-      correlate_vectors<sums>(tag, u_weight, v_weight, taps, u + l, v + l, 1, spacing, out + l,
-                              spacing);
+    for (; l + at_once * spacing <= count; l += at_once * spacing) {
+      correlate_vectors<at_once>(tag, taps, u + l, v + l, 1, spacing,
+                                 [&](auto p, auto q, int i)
+                                     HWY_ATTR { store(tag, p, q, l + i * spacing); });
     }
   };
-  advance(d, std::integral_constant<int, sums_at_once>());
+  advance(d, std::integral_constant<int, most_at_once>());
   advance(d, std::integral_constant<int, 1>());
   // The last vector computes some outputs again rather than the rest one by one.
   if (l < count && count >= lanes) {
@@ -60,20 +74,45 @@ HWY_INLINE void correlate(const T* u_weight, const T* v_weight, int taps, const 
 }
 
 template <class T>
-HWY_INLINE void correlate_group(const T* u_weight, const T* v_weight, int taps, const T* u,
-                                const T* v, Index in_step, Index count, T* out, Index out_step) {
+HWY_INLINE void correlate_apart(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index count,
+                                T* HWY_RESTRICT p_out, T* HWY_RESTRICT q_out) {
+  correlate(taps, u, v, count, [&](auto d, auto p, auto q, Index l) HWY_ATTR {
+    hn::StoreU(p, d, p_out + l);
+    hn::StoreU(q, d, q_out + l);
+  });
+}
+
+template <class T>
+HWY_INLINE void correlate_merged(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index count,
+                                 T* HWY_RESTRICT out) {
+  correlate(taps, u, v, count, [&](auto d, auto p, auto q, Index l) HWY_ATTR {
+    if constexpr (hn::MaxLanes(decltype(d)()) == 1) {
+      hn::StoreU(p, d, out + 2 * l);
+      hn::StoreU(q, d, out + 2 * l + 1);
+    } else {
+      hn::StoreInterleaved2(p, q, d, out + 2 * l);
+    }
+  });
+}
+
+template <class T>
+HWY_INLINE void correlate_group(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index in_step,
+                                Index count, T* p_out, T* q_out, Index out_step) {
   const hn::ScalableTag<T> d;
   const Index lanes = static_cast<Index>(hn::Lanes(d));
   for (Index s = 0; s < group_size<T>; s += lanes) {
     Index l = 0;
-    const auto advance = [&](auto sums) {
-      for (; l + sums <= count; l += sums) {
-        correlate_vectors<sums>(d, u_weight, v_weight, taps, u + l * in_step + s,
-                                v + l * in_step + s, in_step, in_step, out + l * out_step + s,
-                                out_step);
+    const auto advance = [&](auto at_once) HWY_ATTR {
+      for (; l + at_once <= count; l += at_once) {
+        const Index in = l * in_step + s, out = l * out_step + s;
+        correlate_vectors<at_once>(d, taps, u + in, v + in, in_step, in_step,
+                                   [&](auto p, auto q, int i) HWY_ATTR {
+                                     hn::StoreU(p, d, p_out + out + i * out_step);
+                                     hn::StoreU(q, d, q_out + out + i * out_step);
+                                   });
       }
     };
-    advance(std::integral_constant<int, sums_at_once>());
+    advance(std::integral_constant<int, most_at_once>());
     advance(std::integral_constant<int, 1>());
   }
 }
@@ -96,32 +135,20 @@ HWY_INLINE void split(const T* HWY_RESTRICT in, Index count, T* HWY_RESTRICT eve
   }
 }
 
-template <class T>
-HWY_INLINE void merge(const T* HWY_RESTRICT even, const T* HWY_RESTRICT odd, Index count,
-                      T* HWY_RESTRICT out) {
-  const hn::ScalableTag<T> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  Index i = 0;
-  for (; i + lanes <= count; i += lanes) {
-    hn::StoreInterleaved2(hn::LoadU(d, even + i), hn::LoadU(d, odd + i), d, out + 2 * i);
-  }
-  for (; i < count; ++i) {
-    out[2 * i] = even[i];
-    out[2 * i + 1] = odd[i];
-  }
-}
-
-#define WAVECURVE_KERNELS(T)                                                                       \
-  void correlate_##T(const T* u_weight, const T* v_weight, int taps, const T* u, const T* v,       \
-                     Index count, T* out) {                                                        \
-    correlate(u_weight, v_weight, taps, u, v, count, out);                                         \
-  }                                                                                                \
-  void correlate_group_##T(const T* u_weight, const T* v_weight, int taps, const T* u, const T* v, \
-                           Index in_step, Index count, T* out, Index out_step) {                   \
-    correlate_group(u_weight, v_weight, taps, u, v, in_step, count, out, out_step);                \
-  }                                                                                                \
-  void split_##T(const T* in, Index count, T* even, T* odd) { split(in, count, even, odd); }       \
-  void merge_##T(const T* even, const T* odd, Index count, T* out) { merge(even, odd, count, out); }
+#define WAVECURVE_KERNELS(T)                                                                    \
+  void correlate_##T(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index count, T* p,   \
+                     T* q) {                                                                    \
+    correlate_apart(taps, u, v, count, p, q);                                                   \
+  }                                                                                             \
+  void correlate_merged_##T(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index count,  \
+                            T* out) {                                                           \
+    correlate_merged(taps, u, v, count, out);                                                   \
+  }                                                                                             \
+  void correlate_group_##T(const PolyphaseTaps<T>& taps, const T* u, const T* v, Index in_step, \
+                           Index count, T* p, T* q, Index out_step) {                           \
+    correlate_group(taps, u, v, in_step, count, p, q, out_step);                                \
+  }                                                                                             \
+  void split_##T(const T* in, Index count, T* even, T* odd) { split(in, count, even, odd); }
 WAVECURVE_KERNELS(double)
 WAVECURVE_KERNELS(float)
 #undef WAVECURVE_KERNELS
@@ -166,20 +193,24 @@ const Scalar* periodic_window(const Scalar* source, Eigen::Index period, Eigen::
 
 #define WAVECURVE_DISPATCH(T)                                                                    \
   HWY_EXPORT(correlate_##T);                                                                     \
+  HWY_EXPORT(correlate_merged_##T);                                                              \
   HWY_EXPORT(correlate_group_##T);                                                               \
   HWY_EXPORT(split_##T);                                                                         \
-  HWY_EXPORT(merge_##T);                                                                         \
   template <>                                                                                    \
-  void correlate_pair(const T* u_weight, const T* v_weight, int taps, const T* u, const T* v,    \
-                      Eigen::Index count, T* out) {                                              \
-    HWY_DYNAMIC_DISPATCH(correlate_##T)(u_weight, v_weight, taps, u, v, count, out);             \
+  void correlate_pair(const PolyphaseTaps<T>& taps, const T* u, const T* v, Eigen::Index count,  \
+                      T* p, T* q) {                                                              \
+    HWY_DYNAMIC_DISPATCH(correlate_##T)(taps, u, v, count, p, q);                                \
   }                                                                                              \
   template <>                                                                                    \
-  void correlate_pair_of_group(const T* u_weight, const T* v_weight, int taps, const T* u,       \
-                               const T* v, Eigen::Index in_step, Eigen::Index count, T* out,     \
+  void correlate_pair_merged(const PolyphaseTaps<T>& taps, const T* u, const T* v,               \
+                             Eigen::Index count, T* out) {                                       \
+    HWY_DYNAMIC_DISPATCH(correlate_merged_##T)(taps, u, v, count, out);                          \
+  }                                                                                              \
+  template <>                                                                                    \
+  void correlate_pair_of_group(const PolyphaseTaps<T>& taps, const T* u, const T* v,             \
+                               Eigen::Index in_step, Eigen::Index count, T* p, T* q,             \
                                Eigen::Index out_step) {                                          \
-    HWY_DYNAMIC_DISPATCH(correlate_group_##T)                                                    \
-    (u_weight, v_weight, taps, u, v, in_step, count, out, out_step);                             \
+    HWY_DYNAMIC_DISPATCH(correlate_group_##T)(taps, u, v, in_step, count, p, q, out_step);       \
   }                                                                                              \
   template <>                                                                                    \
   void split_pairs(const T* source, Eigen::Index pairs, Eigen::Index begin, Eigen::Index length, \
@@ -189,10 +220,6 @@ const Scalar* periodic_window(const Scalar* source, Eigen::Index period, Eigen::
                    HWY_DYNAMIC_DISPATCH(split_##T)                                               \
                    (source + 2 * start, run, even + first, odd + first);                         \
                  });                                                                             \
-  }                                                                                              \
-  template <>                                                                                    \
-  void merge_pairs(const T* even, const T* odd, Eigen::Index length, T* out) {                   \
-    HWY_DYNAMIC_DISPATCH(merge_##T)(even, odd, length, out);                                     \
   }                                                                                              \
   template const T* periodic_window(const T*, Eigen::Index, Eigen::Index, Eigen::Index, T*,      \
                                     Eigen::Index);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 /// The loops that every periodic filter runs through, vectorised for the processor at hand. None
@@ -8,20 +10,39 @@
 /// same bits, and so do single and interleaved signals (see Layout).
 namespace wavecurve {
 
-/// out_l = sum_{t < taps} (u_weight_t u_{l+t} + v_weight_t v_{l+t}),  l = 0 .. count - 1.
-///
-/// Two sequences at once, since both directions of a two-channel filter bank, in polyphase form,
-/// are of this shape. u and v hold count + taps - 1 values; out overlaps neither.
+/// The weights of one tap t of both outputs of correlate_pair. Zeros, which fill up the shorter
+/// filter, are skipped; asked for once, not in the loop.
 template <class Scalar>
-void correlate_pair(const Scalar* u_weight, const Scalar* v_weight, int taps, const Scalar* u,
-                    const Scalar* v, Eigen::Index count, Scalar* out);
+struct PolyphaseTap {
+  struct Weight {
+    Weight(Scalar w) : value(w), zero(w == 0) {}
+    Scalar value;
+    bool zero;
+  };
+  Weight p_of_u, p_of_v, q_of_u, q_of_v;
+};
+template <class Scalar>
+using PolyphaseTaps = std::vector<PolyphaseTap<Scalar>>;
 
-/// The same of each signal of a group: u_l, v_l and out_l are rows of group_size values, in_step
+/// Both directions of a two-channel filter bank, in polyphase form, for l = 0 .. count - 1:
+///   p_l = sum_t (p_of_u_t u_{l+t} + p_of_v_t v_{l+t}),
+///   q_l = sum_t (q_of_u_t u_{l+t} + q_of_v_t v_{l+t}).
+/// u and v hold count values and as many more as there are taps, less one; outputs overlap neither.
+template <class Scalar>
+void correlate_pair(const PolyphaseTaps<Scalar>& taps, const Scalar* u, const Scalar* v,
+                    Eigen::Index count, Scalar* p, Scalar* q);
+
+/// The same with out_{2l} = p_l, out_{2l+1} = q_l.
+template <class Scalar>
+void correlate_pair_merged(const PolyphaseTaps<Scalar>& taps, const Scalar* u, const Scalar* v,
+                           Eigen::Index count, Scalar* out);
+
+/// The same of each signal of a group: u_l, v_l, p_l and q_l are rows of group_size values, in_step
 /// and out_step values from one to the next.
 template <class Scalar>
-void correlate_pair_of_group(const Scalar* u_weight, const Scalar* v_weight, int taps,
-                             const Scalar* u, const Scalar* v, Eigen::Index in_step,
-                             Eigen::Index count, Scalar* out, Eigen::Index out_step);
+void correlate_pair_of_group(const PolyphaseTaps<Scalar>& taps, const Scalar* u, const Scalar* v,
+                             Eigen::Index in_step, Eigen::Index count, Scalar* p, Scalar* q,
+                             Eigen::Index out_step);
 
 /// The rows source_{(begin + i) mod period}, i = 0 .. length - 1, of `row` values each: a pointer
 /// into the source where none of them wraps, else a copy in the buffer (of that length).
@@ -33,9 +54,5 @@ const Scalar* periodic_window(const Scalar* source, Eigen::Index period, Eigen::
 template <class Scalar>
 void split_pairs(const Scalar* source, Eigen::Index pairs, Eigen::Index begin, Eigen::Index length,
                  Scalar* even, Scalar* odd);
-
-/// The inverse without wrapping: out_{2i} = even_i, out_{2i+1} = odd_i.
-template <class Scalar>
-void merge_pairs(const Scalar* even, const Scalar* odd, Eigen::Index length, Scalar* out);
 
 }  // namespace wavecurve

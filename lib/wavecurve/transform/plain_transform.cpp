@@ -16,8 +16,10 @@ Eigen::Index modulo(Eigen::Index n, Eigen::Index period) {
 template <class Scalar>
 Vector<Scalar> periodized(const Filter<Scalar>& filter, Eigen::Index period) {
   Vector<Scalar> result = Vector<Scalar>::Zero(period);
-  for (int n = filter.first_index; n <= filter.last_index(); ++n) {
-    result[modulo(n, period)] += filter[n];
+  Eigen::Index n = modulo(filter.first_index, period);
+  for (const Scalar tap : filter.taps) {
+    result[n] += tap;
+    if (++n == period) n = 0;
   }
   return result;
 }

@@ -24,10 +24,10 @@ class StridedBlock {
   Eigen::Index rows() const { return rows_; }
   Eigen::Index cols() const { return cols_; }
   Eigen::Index non_zeros() const;
-  /// Appends the column's entries by ascending row; the pointers are moved behind them.
-  void append_column(Eigen::Index column, int row_offset, int*& row, double*& value) const;
+  class Columns;
 
  private:
+  void reserve(const Generator& generator);
   void append_pattern(Eigen::Index row, double value);
   void end_pattern();
 
@@ -35,6 +35,20 @@ class StridedBlock {
   std::vector<std::size_t> begin_{0};  ///< pattern i is begin_[i] .. begin_[i + 1] - 1
   std::vector<int> row_;
   std::vector<double> value_;
+};
+
+/// A block's columns from the first on, without divisions or searches.
+class StridedBlock::Columns {
+ public:
+  explicit Columns(const StridedBlock& block);
+  /// Appends the next column's entries by ascending row; the pointers are moved behind them.
+  void append_next(int row_offset, int*& row, double*& value);
+
+ private:
+  const StridedBlock* block_;
+  std::size_t pattern_ = 0;
+  int shift_ = 0;
+  std::vector<std::size_t> wraps_;  ///< of each pattern
 };
 
 /// Throws std::invalid_argument if a sparse matrix cannot hold that many, its indices being int.
