@@ -21,11 +21,13 @@ namespace wavecurve::tracking::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The doubles that were added and multiplied. Eight independent chains of each keep both units of
-/// a processor with a latency of four cycles busy.
+/// a processor with a latency of four cycles busy; each starts elsewhere, since of chains with the
+/// same values the compiler computes one.
 double work(long rounds, double* sink) {
   const hn::ScalableTag<double> d;
-  auto a0 = hn::Set(d, 1), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0, a6 = a0, a7 = a0;
-  auto m0 = a0, m1 = a0, m2 = a0, m3 = a0, m4 = a0, m5 = a0, m6 = a0, m7 = a0;
+  auto a0 = hn::Set(d, 1), a1 = hn::Set(d, 2), a2 = hn::Set(d, 3), a3 = hn::Set(d, 4);
+  auto a4 = hn::Set(d, 5), a5 = hn::Set(d, 6), a6 = hn::Set(d, 7), a7 = hn::Set(d, 8);
+  auto m0 = a0, m1 = a1, m2 = a2, m3 = a3, m4 = a4, m5 = a5, m6 = a6, m7 = a7;
   const auto step = hn::Set(d, 1e-9), factor = hn::Set(d, 1 - 1e-9);
   for (long i = 0; i < rounds; ++i) {
     a0 = hn::Add(a0, step), m0 = hn::Mul(m0, factor), a1 = hn::Add(a1, step);
