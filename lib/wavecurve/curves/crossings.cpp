@@ -22,10 +22,13 @@ Edge edge(In contour, Index i) {
   return {contour.row(i), contour.row(i + 1 == contour.rows() ? 0 : i + 1)};
 }
 
-bool cross(const Edge& a, const Edge& b) {
-  return orient2d(a.from, a.to, b.from) * orient2d(a.from, a.to, b.to) < 0 &&
-         orient2d(b.from, b.to, a.from) * orient2d(b.from, b.to, a.to) < 0;
+/// Whether the line through an edge has another one's ends on different sides.
+bool separates(const Edge& line, const Edge& other) {
+  const int side = orient2d(line.from, line.to, other.from);
+  return side != 0 && side * orient2d(line.from, line.to, other.to) < 0;
 }
+
+bool cross(const Edge& a, const Edge& b) { return separates(a, b) && separates(b, a); }
 
 Index edges_of(In contour, Closing closing) {
   return closing == Closing::joined ? contour.rows() : std::max<Index>(contour.rows() - 1, 0);
