@@ -1,5 +1,6 @@
 #include "wavecurve/curves/correspondence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -18,9 +19,12 @@ using In = const Eigen::Ref<const Contour>&;
 
 /// The points as complex numbers about their mean, scaled to norm 1 unless they are all the same.
 VectorXcd normalised(In contour) {
-  Contour centred = contour.rowwise() - contour.colwise().mean();
+  Contour centred(contour.rows(), 2);
+  for (Index j = 0; j < 2; ++j) {
+    centred.col(j) = contour.col(j).array() - contour.col(j).mean();
+  }
   const double norm = centred.norm();
-  if (norm > 0) centred /= norm;
+  if (norm > 0) centred *= 1 / norm;
   VectorXcd points(contour.rows());
   points.real() = centred.col(0);
   points.imag() = centred.col(1);
@@ -39,12 +43,15 @@ void check_sizes(In from, In to) {
 /// contours are, an FFT of length N errs by at most a few log2 N units of rounding, and a sum of N
 /// products by N.
 Index first_best(const VectorXcd& correlation, Rotation rotation) {
-  const Eigen::VectorXd value = rotation == Rotation::taken_out
-                                    ? Eigen::VectorXd(correlation.cwiseAbs2().cwiseSqrt())
-                                    : Eigen::VectorXd(correlation.real());
   const double rounding =
       std::numeric_limits<double>::epsilon() * static_cast<double>(correlation.size());
-  const double least = value.maxCoeff() - rounding;
+  Eigen::VectorXd value = correlation.real();
+  if (rotation == Rotation::taken_out) value = correlation.cwiseAbs2();
+  double least = value.maxCoeff() - rounding;
+  if (rotation == Rotation::taken_out) {
+    least = std::max(std::sqrt(value.maxCoeff()) - rounding, 0.0);
+    least *= least;
+  }
   Index shift = 0;
   while (!(value(shift) >= least)) ++shift;
   return shift;
