@@ -101,7 +101,7 @@ Index crossings_between(const BoxTree& a, Node node_a, const BoxTree& b, Node no
 }
 
 Index crossings_within(const BoxTree& tree, Node node) {
-  if (node.level == 0) return 0;
+  if (node.level <= 1) return 0;  // two edges that share an end do not cross
   const Node first = tree.first_child(node);
   if (!tree.has_second_child(node)) return crossings_within(tree, first);
   const Node second = tree.second_child(node);
