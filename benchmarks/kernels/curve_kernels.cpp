@@ -73,6 +73,9 @@ std::vector<Kernel> curve_kernels() {
   shift.bytes = 2 * 2 * 8 * 1024;
   Kernel cross = growing("crossings", 1024, crossings, sizes);
   cross.bytes = 2 * 8 * 1024;
+  // 2 N boxes of 4 comparisons; where two halves join, two tests of 4 at each of the 2 l levels
+  // below them, in all 32 N; and the orientation of an end, 7, each pair of neighbours.
+  cross.operations = (8 + 32 + 7) * 1024;
   Kernel morph{"linear_frame", 1024, frame};
   morph.bytes = 3 * 2 * 8 * 1024;
   // A point of a column: 2 products and a sum of the blend, and of all levels two sums of 8

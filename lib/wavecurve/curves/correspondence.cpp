@@ -1,11 +1,13 @@
 #include "wavecurve/curves/correspondence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
 #include <fmt/format.h>
+
+#include "wavecurve/dynamics/fourier_transform.hpp"
 
 namespace wavecurve {
 
@@ -15,11 +17,17 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using In = const Eigen::Ref<const Contour>&;
 
-/// The points as complex numbers about their mean.
-VectorXcd centred(In contour) {
+/// The points as complex numbers about their mean, scaled to norm 1 unless they are all the same.
+VectorXcd normalised(In contour) {
+  Contour centred(contour.rows(), 2);
+  for (Index j = 0; j < 2; ++j) {
+    centred.col(j) = contour.col(j).array() - contour.col(j).mean();
+  }
+  const double norm = centred.norm();
+  if (norm > 0) centred *= 1 / norm;
   VectorXcd points(contour.rows());
-  points.real() = contour.col(0).array() - contour.col(0).mean();
-  points.imag() = contour.col(1).array() - contour.col(1).mean();
+  points.real() = centred.col(0);
+  points.imag() = centred.col(1);
   return points;
 }
 
@@ -31,21 +39,22 @@ void check_sizes(In from, In to) {
                   from.rows(), to.rows()));
 }
 
-/// The first of the shifts whose correlation is the largest but for rounding. An FFT of length N
-/// errs by at most a few log2 N units of rounding of the norms, and a sum of N products by N.
-Index first_best(const VectorXcd& correlation, Rotation rotation, double rounding) {
-  const Eigen::VectorXd value = rotation == Rotation::taken_out
-                                    ? Eigen::VectorXd(correlation.cwiseAbs())
-                                    : Eigen::VectorXd(correlation.real());
-  const double least = value.maxCoeff() - rounding;
+/// The first of the shifts whose correlation is the largest but for rounding. Of norm 1, as the
+/// contours are, an FFT of length N errs by at most a few log2 N units of rounding, and a sum of N
+/// products by N.
+Index first_best(const VectorXcd& correlation, Rotation rotation) {
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(correlation.size());
+  Eigen::VectorXd value = correlation.real();
+  if (rotation == Rotation::taken_out) value = correlation.cwiseAbs2();
+  double least = value.maxCoeff() - rounding;
+  if (rotation == Rotation::taken_out) {
+    least = std::max(std::sqrt(value.maxCoeff()) - rounding, 0.0);
+    least *= least;
+  }
   Index shift = 0;
   while (!(value(shift) >= least)) ++shift;
   return shift;
-}
-
-double rounding(const VectorXcd& z, const VectorXcd& w) {
-  return std::numeric_limits<double>::epsilon() * static_cast<double>(z.size()) * z.norm() *
-         w.norm();
 }
 
 }  // namespace
@@ -55,15 +64,17 @@ Eigen::Index best_shift(In from, In to, Rotation rotation) {
   if (!from.allFinite() || !to.allFinite()) {
     throw std::domain_error("contours that are to correspond must have finite coordinates");
   }
-  if (from.rows() == 1) return 0;  // Eigen's FFT takes no single point
-  const VectorXcd z = centred(from), w = centred(to);
-  Eigen::FFT<double> fft;
-  VectorXcd z_hat(z.size()), w_hat(w.size()), correlation(z.size());
-  fft.fwd(z_hat, z);
-  fft.fwd(w_hat, w);
-  w_hat = z_hat.conjugate().cwiseProduct(w_hat);
-  fft.inv(correlation, w_hat);
-  return first_best(correlation, rotation, rounding(z, w));
+  VectorXcd z = normalised(from), w = normalised(to);
+  FourierTransform fourier(z.size());
+  fourier.forward(z);
+  fourier.forward(w);
+  for (Index k = 0; k < w.size(); ++k) {
+    // conj(z) w, without the check for infinities that std::complex pays for.
+    w(k) = {z(k).real() * w(k).real() + z(k).imag() * w(k).imag(),
+            z(k).real() * w(k).imag() - z(k).imag() * w(k).real()};
+  }
+  fourier.inverse(w);
+  return first_best(w, rotation);
 }
 
 Contour started_at(In contour, Eigen::Index shift) {
@@ -83,13 +94,13 @@ namespace wavecurve::plain {
 
 Eigen::Index best_shift(In from, In to, Rotation rotation) {
   check_sizes(from, to);
-  const VectorXcd z = centred(from), w = centred(to);
+  const VectorXcd z = normalised(from), w = normalised(to);
   const Index count = z.size();
   VectorXcd correlation = VectorXcd::Zero(count);
   for (Index s = 0; s < count; ++s) {
     for (Index i = 0; i < count; ++i) correlation(s) += std::conj(z(i)) * w((i + s) % count);
   }
-  return first_best(correlation, rotation, rounding(z, w));
+  return first_best(correlation, rotation);
 }
 
 }  // namespace wavecurve::plain

@@ -22,10 +22,13 @@ Edge edge(In contour, Index i) {
   return {contour.row(i), contour.row(i + 1 == contour.rows() ? 0 : i + 1)};
 }
 
-bool cross(const Edge& a, const Edge& b) {
-  return orient2d(a.from, a.to, b.from) * orient2d(a.from, a.to, b.to) < 0 &&
-         orient2d(b.from, b.to, a.from) * orient2d(b.from, b.to, a.to) < 0;
+/// Whether the line through an edge has another one's ends on different sides.
+bool separates(const Edge& line, const Edge& other) {
+  const int side = orient2d(line.from, line.to, other.from);
+  return side != 0 && side * orient2d(line.from, line.to, other.to) < 0;
 }
+
+bool cross(const Edge& a, const Edge& b) { return separates(a, b) && separates(b, a); }
 
 Index edges_of(In contour, Closing closing) {
   return closing == Closing::joined ? contour.rows() : std::max<Index>(contour.rows() - 1, 0);
@@ -98,7 +101,7 @@ Index crossings_between(const BoxTree& a, Node node_a, const BoxTree& b, Node no
 }
 
 Index crossings_within(const BoxTree& tree, Node node) {
-  if (node.level == 0) return 0;
+  if (node.level <= 1) return 0;  // two edges that share an end do not cross
   const Node first = tree.first_child(node);
   if (!tree.has_second_child(node)) return crossings_within(tree, first);
   const Node second = tree.second_child(node);

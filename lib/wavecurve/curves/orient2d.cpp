@@ -67,8 +67,10 @@ int orient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
   // Each product carries three roundings, the difference one: (3 + 16 u) u of the sum of their
   // magnitudes bounds the error, u = 2^-53 (Shewchuk, section 4.3).
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-  const double bound = (3 + 16 * u) * u * (std::abs(left) + std::abs(right));
+  const double magnitude = std::abs(left) + std::abs(right);
+  const double bound = (3 + 16 * u) * u * magnitude;
   if (determinant > bound || -determinant > bound) return sign(determinant);
+  if (magnitude == 0) return 0;  // two points are the same, as at the ends of neighbouring edges
   return exact_orient2d(a, b, c);
 }
 

@@ -1,6 +1,7 @@
 #include "wavecurve/dynamics/fourier_transform.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <numbers>
 
@@ -22,17 +23,20 @@ constexpr Eigen::Index strip = 8;
 
 }  // namespace
 
-FourierTransform::FourierTransform(Eigen::Index size) : size_(size), buffer_(size) {
-  fft_.SetFlag(Eigen::FFT<double>::Unscaled);
-  if (size <= longest_direct) return;
-  while (rows_ * rows_ < size) {
+FourierTransform::FourierTransform(Eigen::Index size) : size_(size) {
+  const bool is_power_of_two = std::has_single_bit(static_cast<std::uint64_t>(size));
+  if (!is_power_of_two || size > longest_direct) buffer_.resize(size);
+  if (!is_power_of_two) return;
+  while (size > longest_direct && rows_ * rows_ < size) {
     rows_ *= 2;
     ++shift_;
   }
+  of_columns_.emplace(size / rows_);
+  if (rows_ == 1) return;
+  of_rows_.emplace(rows_);
   pitch_ =
       rows_ + 4;  // a cache line more, lest the columns of a strip share their place in the cache
   gathered_.resize(strip * pitch_);
-  transformed_.resize(strip * pitch_);
   // e^(-2 pi i m / n) for m = a rows_ + b as a product of two of a table.
   coarse_.resize(size / rows_);
   fine_.resize(rows_);
@@ -44,19 +48,16 @@ FourierTransform::FourierTransform(Eigen::Index size) : size_(size), buffer_(siz
     fine_[b] = std::polar(1.0, angle * static_cast<double>(b));
 }
 
-void FourierTransform::direct(const Complex* source, Complex* target, Eigen::Index length,
-                              bool inverse) {
-  if (inverse) fft_.inv(target, source, static_cast<int>(length));
-  if (!inverse) fft_.fwd(target, source, static_cast<int>(length));
+void FourierTransform::transform(Complex* x, bool inverse) {
+  if (!of_columns_) return by_eigen(x, inverse);
+  if (of_rows_) return in_four_steps(x, inverse);
+  of_columns_->transform(x, x, inverse, inverse ? 1.0 / static_cast<double>(size_) : 1);
 }
 
-void FourierTransform::transform(Complex* x, bool inverse) {
-  if (size_ == 1) return;  // Eigen's cannot do that
-  if (rows_ > 1) return in_four_steps(x, inverse);
-  direct(x, buffer_.data(), size_, inverse);
-  const double scale = inverse ? 1.0 / static_cast<double>(size_) : 1;
-  std::transform(buffer_.data(), buffer_.data() + size_, x,
-                 [scale](const Complex& value) { return scale * value; });
+void FourierTransform::by_eigen(Complex* x, bool inverse) {
+  std::copy(x, x + size_, buffer_.data());
+  if (inverse) fft_.inv(x, buffer_.data(), static_cast<int>(size_));
+  if (!inverse) fft_.fwd(x, buffer_.data(), static_cast<int>(size_));
 }
 
 void FourierTransform::in_four_steps(Complex* x, bool inverse) {
@@ -70,27 +71,27 @@ void FourierTransform::in_four_steps(Complex* x, bool inverse) {
       for (Eigen::Index r = 0; r < strip; ++r) gathered_[r * pitch_ + j] = x[j * rows_ + first + r];
     }
     for (Eigen::Index r = 0; r < strip; ++r) {
-      direct(&gathered_[r * pitch_], &transformed_[r * pitch_], others, inverse);
+      Complex* column = &gathered_[r * pitch_];
+      of_columns_->transform(column, column, inverse, 1);
       for (Eigen::Index k = 0; k < others; ++k) {
         const auto m = static_cast<std::uint64_t>((first + r) * k);
         const Complex w = product(coarse_.data()[m >> shift_], fine_.data()[m & (rows - 1)]);
-        Complex& value = transformed_[r * pitch_ + k];
-        value = product(value, inverse ? std::conj(w) : w);
+        column[k] = product(column[k], inverse ? std::conj(w) : w);
       }
     }
     for (Eigen::Index k = 0; k < others; ++k) {
       for (Eigen::Index r = 0; r < strip; ++r) {
-        buffer_[k * rows_ + first + r] = transformed_[r * pitch_ + k];
+        buffer_[k * rows_ + first + r] = gathered_[r * pitch_ + k];
       }
     }
   }
   for (Eigen::Index first = 0; first < others; first += strip) {
     for (Eigen::Index k = 0; k < strip; ++k) {
-      direct(&buffer_[(first + k) * rows_], &transformed_[k * pitch_], rows_, inverse);
+      of_rows_->transform(&buffer_[(first + k) * rows_], &gathered_[k * pitch_], inverse, scale);
     }
     for (Eigen::Index r = 0; r < rows_; ++r) {
       for (Eigen::Index k = 0; k < strip; ++k) {
-        x[r * others + first + k] = scale * transformed_[k * pitch_ + r];
+        x[r * others + first + k] = gathered_[k * pitch_ + r];
       }
     }
   }

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <unsupported/Eigen/FFT>
 
 #include <Eigen/Core>
 
+#include "wavecurve/dynamics/stockham_transform.hpp"
+
 namespace wavecurve {
 
-/// The discrete Fourier transform of a length that is a power of two, by Eigen's; of a long one as
-/// a matrix (four steps: columns, twiddle factors, transposition, columns), whose columns fit into
-/// the cache.
+/// The discrete Fourier transform of any length. Of a power of two by StockhamTransform, of a long
+/// one as a matrix (four steps: columns, twiddle factors, transposition, columns), whose columns
+/// fit into the cache; of another length by Eigen's.
 ///   forward: X_k = sum_j x_j e^(-2 pi i j k / n),   inverse: its inverse.
 class FourierTransform {
  public:
@@ -22,15 +25,14 @@ class FourierTransform {
 
  private:
   void transform(std::complex<double>* x, bool inverse);
-
-  void direct(const std::complex<double>* source, std::complex<double>* target, Eigen::Index length,
-              bool inverse);
+  void by_eigen(std::complex<double>* x, bool inverse);
   void in_four_steps(std::complex<double>* x, bool inverse);
 
   Eigen::Index size_, rows_ = 1;  ///< rows_ = 2^shift_ > 1: in four steps
   Eigen::Index pitch_ = 0;
   int shift_ = 0;
-  Vector buffer_, gathered_, transformed_, coarse_, fine_;
+  std::optional<StockhamTransform> of_columns_, of_rows_;  ///< lengths size / rows_ and rows_
+  Vector buffer_, gathered_, coarse_, fine_;
   Eigen::FFT<double> fft_;
 };
 

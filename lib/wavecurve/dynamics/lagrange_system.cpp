@@ -26,17 +26,25 @@ Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int
   return circulant_symbol(connection_coefficients(bank, order, order).mu, samples, 2 * order);
 }
 
-/// Of the diagonal block of a band.
-Eigen::VectorXd band_symbol(const FilterBank<double>& bank, const Band& band, int order) {
-  if (order == 0 && bank.is_orthonormal()) return Eigen::VectorXd::Ones(band.size / 2 + 1);
+/// Of the diagonal blocks of the bands.
+std::vector<Eigen::VectorXd> band_symbols(const FilterBank<double>& bank,
+                                          const std::vector<Band>& bands, int order) {
+  std::vector<Eigen::VectorXd> symbols;
+  if (order == 0 && bank.is_orthonormal()) {
+    for (const Band& band : bands) symbols.push_back(Eigen::VectorXd::Ones(band.size / 2 + 1));
+    return symbols;
+  }
   const ConnectionCoefficients<double> coefficients = connection_coefficients(bank, order, order);
-  if (band.is_scaling) return circulant_symbol(coefficients.mu, band.size, 2 * order);
-  // The nu of derivatives do not sum to zero, as circulant_symbol takes for granted.
-  Eigen::VectorXd result = circulant_symbol(coefficients.nu, band.size, 2 * order);
-  if (order == 0) return result;
   const std::vector<double>& nu = coefficients.nu.taps;
-  const double scale = std::ldexp(1.0, checked_log2(band.size) * 2 * order);
-  return result.array() + scale * std::accumulate(nu.begin(), nu.end(), 0.0);
+  for (const Band& band : bands) {
+    symbols.push_back(circulant_symbol(band.is_scaling ? coefficients.mu : coefficients.nu,
+                                       band.size, 2 * order));
+    if (band.is_scaling || order == 0) continue;
+    // The nu of derivatives do not sum to zero, as circulant_symbol takes for granted.
+    const double scale = std::ldexp(1.0, checked_log2(band.size) * 2 * order);
+    symbols.back().array() += scale * std::accumulate(nu.begin(), nu.end(), 0.0);
+  }
+  return symbols;
 }
 
 /// The entry on the diagonal of a circulant: the mean of its eigenvalues.
@@ -79,11 +87,14 @@ Symbols LagrangeSystem::symbols() const {
 }
 
 std::vector<Symbols> LagrangeSystem::band_symbols() const {
+  const std::vector<Band> bands = multiscale_bands(samples_, levels_);
+  const auto gram = wavecurve::band_symbols(bank_, bands, 0);
+  const auto first = wavecurve::band_symbols(bank_, bands, 1);
+  const auto second = material_.bending > 0 ? wavecurve::band_symbols(bank_, bands, 2)
+                                            : std::vector<Eigen::VectorXd>(bands.size());
   std::vector<Symbols> result;
-  for (const Band& band : multiscale_bands(samples_, levels_)) {
-    result.push_back(
-        compose(band_symbol(bank_, band, 0), band_symbol(bank_, band, 1),
-                material_.bending > 0 ? band_symbol(bank_, band, 2) : Eigen::VectorXd()));
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    result.push_back(compose(gram[i], first[i], second[i]));
   }
   return result;
 }

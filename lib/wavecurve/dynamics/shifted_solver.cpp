@@ -78,7 +78,8 @@ int conjugate_gradients(SystemOperator& a, const Eigen::Ref<const Eigen::VectorX
     x.setZero();
     return 0;
   }
-  Eigen::VectorXd product(x.size()), residual, preconditioned, direction;
+  Eigen::VectorXd product(x.size()), residual, preconditioned, direction, inverse_diagonal;
+  if (is_preconditioned) inverse_diagonal = a.diagonal().cwiseInverse();
   a.apply(x, product);
   residual = b - product;
   double last = 0;
@@ -91,7 +92,7 @@ int conjugate_gradients(SystemOperator& a, const Eigen::Ref<const Eigen::VectorX
                       residual.norm() / b.norm(), most, tolerance));
     }
     preconditioned = residual;
-    if (is_preconditioned) preconditioned.array() /= a.diagonal().array();
+    if (is_preconditioned) preconditioned.array() *= inverse_diagonal.array();
     const double now = residual.dot(preconditioned);
     if (iteration == 0) direction = preconditioned;
     if (iteration > 0) direction = preconditioned + now / last * direction;

@@ -1,5 +1,6 @@
 #include "wavecurve/operators/circulant.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -65,9 +66,9 @@ Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples,
     sum += 2 * mu[l];
   }
   // Each angle is the sum of two of a table, in the first quadrant: their sine does not cancel.
-  constexpr std::size_t block = 256;
+  constexpr std::size_t block = 64;
   std::array<double, block> sines, cosines;
-  for (std::size_t i = 0; i < block; ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(block, samples / 2 + 1); ++i) {
     sines[i] = std::sin(step * static_cast<double>(i));
     cosines[i] = std::cos(step * static_cast<double>(i));
   }
