@@ -4,9 +4,9 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/transform/every_target_test.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 
@@ -44,29 +44,19 @@ std::vector<Scalar> transforms(const FilterBank<Scalar>& bank) {
 }
 
 template <class Scalar>
-void expect_the_same_bits_on_every_target() {
+void expect_the_same_transforms() {
   for (const char* name : families) {
+    SCOPED_TRACE(name);
     const FilterBank<Scalar> bank = find_filter_bank<Scalar>(name);
-    const std::vector<Scalar> best = transforms(bank);
-    const auto targets = hwy::SupportedAndGeneratedTargets();
-    EXPECT_GE(targets.size(), 2u);
-    for (std::int64_t target : targets) {
-      hwy::SetSupportedTargetsForTest(target);
-      hwy::GetChosenTarget().Update(target);
-      EXPECT_EQ(transforms(bank), best) << name << " on " << hwy::TargetName(target);
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    expect_the_same_bits_on_every_target([&] { return transforms(bank); });
   }
 }
 
 TEST(RotationKernels, GiveTheSameBitsOnEveryTargetInDouble) {
-  expect_the_same_bits_on_every_target<double>();
+  expect_the_same_transforms<double>();
 }
 
-TEST(RotationKernels, GiveTheSameBitsOnEveryTargetInFloat) {
-  expect_the_same_bits_on_every_target<float>();
-}
+TEST(RotationKernels, GiveTheSameBitsOnEveryTargetInFloat) { expect_the_same_transforms<float>(); }
 
 /// A level of a cascade is orthogonal up to the rounding of its tangents and scale. It errs by the
 /// taps' error, at most K units (see rotation_cascade.cpp), and by three roundings a rotation; the
