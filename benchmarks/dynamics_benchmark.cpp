@@ -228,13 +228,11 @@ BENCHMARK_CAPTURE(solve, spectral, "spectral", 1e-9, undamped)
 BENCHMARK(one_frame)
     ->Arg(1 << 20)
     ->Repetitions(9)
-    ->ReportAggregatesOnly()
     ->ComputeStatistics("least", least)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, spectral_60_frames, "spectral", 1e-9, undamped)
     ->Arg(1024)
     ->Repetitions(9)
-    ->ReportAggregatesOnly()
     ->ComputeStatistics("least", least)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, decoupled, "decoupled", 1e-9, undamped)

@@ -18,9 +18,9 @@
 //   takes 16.2 cycles; with four vectors passing each rotation together 14.9, 0.51 ns. Without the
 //   shuffles it would take 10.7, without the scale of c one less; alignment makes no difference.
 //   Fused operations, which would let results depend on the machine, would not lessen the shuffles.
-// - 5.5 to 6 ns at 2^22 with memcpy between 1.6 and 4.4 in the same minutes, so no ratio is to be
-//   believed; level by level it was 7.6 to 8.2 then (and 2.0 to 2.6 times memcpy on a quiet
-//   machine). memcpy does not read its target, three levels at once read and write 3/2 as much.
+// - 2.2 ns at 2^22 on a quiet machine, 2.1 times memcpy (beside other programs 5.5 to 6, memcpy 1.6
+//   to 4.4; level by level 7.6 to 8.2 then). memcpy does not read its target, three levels at once
+//   read and write 3/2 as much.
 // - Batches: 0.9 ns a sample where they fit the caches (8 to 1,000 curves), not 0.6: one lane a
 //   signal needs no shuffles, 0.37 ns for the loop, but 0.25 to interleave and to separate the
 //   columns and 0.25 to start eight levels. 10,000 curves are 20 MB in and 20 MB out: 1.9 to 2.2,
@@ -28,8 +28,7 @@
 // - 2.0 to 2.6 ns a sample of a single curve at 2^8: the start and the wrap of each of eight
 //   levels.
 // - cdf9.7 takes 1.2 ns, by sums of products: both outputs of a pair from one load of the inputs.
-// Each
-//   from its own loads, and zeros of the shorter filter included, took 1.5.
+//   Each from its own loads, and zeros of the shorter filter included, took 1.5.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>

@@ -53,7 +53,7 @@ std::function<void()> schulz(Eigen::Index samples) {
 
 /// Of a sample: two transforms of 18 and the circulant of 14 multiplications and additions, as of
 /// operator_product; and six sums of the method, of a product and an addition each.
-constexpr double product_operations = 2 * 18 + 2 * 14, sums_operations = 2 * 6;
+constexpr double product_operations = 2 * 18 + 7 + 12, sums_operations = 2 * 6;
 
 double gradients_operations(Eigen::Index samples) {
   // One product more, for the residual of the guess.

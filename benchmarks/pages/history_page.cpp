@@ -139,9 +139,10 @@ reports::Page history_page(const std::vector<Json>& history) {
       "independent ones in the widest vectors. Change points (dotted lines) minimise penalised "
       "squares of the logarithms; a record from another machine makes one of its own. "
       "docs/how-to-read-benchmarks.md has the statistics."};
-  const std::string generated = fmt::format(
-      "{} records, the latest of {} at revision {} on {}", history.size(), last.value("date", "?"),
-      revision(last), last.value("machine", Json::object()).value("cpu", "an unknown machine"));
+  const std::string generated =
+      fmt::format("{} record{}, the latest of {} at revision {} on {}", history.size(),
+                  history.size() == 1 ? "" : "s", last.value("date", "?"), revision(last),
+                  last.value("machine", Json::object()).value("cpu", "an unknown machine"));
   return {"Performance and accuracy over the records",
           generated,
           {{"Overview", {how, overview, far_from_limits(last, times.back())}},

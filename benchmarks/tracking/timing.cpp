@@ -29,7 +29,7 @@ std::string escaped(const std::string& name) {
 }
 
 /// Seconds, of all repetitions of a benchmark; a longer one is not what is tracked.
-constexpr int longest = 60;
+constexpr int longest = 20;
 
 /// Reads what the program writes into a file, for some print tables of their own.
 Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
