@@ -89,8 +89,8 @@ SchulzInverse<Matrix> iterate(const Matrix& c, double tolerance, double threshol
     // Near a half the square of the residual is clearly smaller; where it is not, rounding reigns.
     const double last = step > 0 ? result.residuals[result.residuals.size() - 2] : r;
     if (last < 0.5 && r > last / 2) break;
-    // Towards the pseudo-inverse the residual stays; while it still falls by a tenth, the product is
-    // not worth its time: c singular is found a step later at most.
+    // Towards the pseudo-inverse the residual stays; while it still falls by a tenth, the product
+    // is not worth its time: c singular is found a step later at most.
     if (r >= 0.5 && r > 0.9 * last &&
         Matrix(c * residual).norm() <= 4 * size * epsilon * c.norm()) {
       result.status = SchulzStatus::singular;
