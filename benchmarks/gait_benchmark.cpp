@@ -15,11 +15,12 @@ namespace wavecurve {
 namespace {
 
 const std::filesystem::path source = WAVECURVE_SOURCE_DIR;
-const std::filesystem::path record = source / "../shared/data/gait/dog_trot_limb_contours.csv.gz";
+const std::filesystem::path name = "../shared/data/gait/dog_trot_limb_contours.csv.gz";
+const std::filesystem::path record = source / name;
 
 bool is_missing(benchmark::State& state) {
   if (std::filesystem::exists(record)) return false;
-  state.SkipWithError(("there is no " + record.string()).c_str());
+  state.SkipWithError(("there is no " + name.string()).c_str());
   return true;
 }
 

@@ -31,8 +31,10 @@ std::string escaped(const std::string& name) {
 /// Seconds, of all repetitions of a benchmark; a longer one is not what is tracked.
 constexpr int longest = 20;
 
-/// Reads what the program writes into a file, for some print tables of their own.
+/// Reads what the program writes into a file, for some print tables of their own. What it throws
+/// names the program, not its folder: the text is kept in records, which know no machine's paths.
 Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
+  const std::string name = program.filename().string();
   std::string file = (fs::temp_directory_path() / "wavecurve_benchmark.XXXXXX").string();
   const int descriptor = ::mkstemp(file.data());
   if (descriptor < 0)
@@ -48,11 +50,11 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
   fs::remove(file);
   Json json = Json::parse(text, nullptr, false);
   if (run.exit_code == 124) {
-    throw std::runtime_error(fmt::format("{} took more than {} s", program.string(), longest));
+    throw std::runtime_error(fmt::format("{} took more than {} s", name, longest));
   }
   if (run.exit_code != 0 || !json.is_object()) {
-    throw std::runtime_error(fmt::format("{} {} ended with {}: {}", program.string(), arguments[3],
-                                         run.exit_code, run.err));
+    throw std::runtime_error(
+        fmt::format("{} {} ended with {}: {}", name, arguments[3], run.exit_code, run.err));
   }
   return json;
 }
@@ -93,7 +95,8 @@ Json run_benchmark(const fs::path& program, const std::string& name, double seco
     }
     if (run.value("run_type", "iteration") == "iteration") runs.push_back(run);
   }
-  if (runs.empty()) throw std::runtime_error(program.string() + " has no benchmark " + name);
+  if (runs.empty())
+    throw std::runtime_error(program.filename().string() + " has no benchmark " + name);
   return runs;
 }
 
