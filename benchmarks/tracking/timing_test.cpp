@@ -73,7 +73,12 @@ TEST_F(TimingTest, ListsNamesAndNothingElse) {
 TEST_F(TimingTest, ReadsTimes) {
   EXPECT_DOUBLE_EQ(time_once(a() / "fake_benchmark", "quick/1", 0.1), 100e-9);
   EXPECT_EQ(run_benchmark(a() / "fake_benchmark", "steady/1", 0.1)[0]["error"], 0.25);
-  EXPECT_THROW(time_once(a() / "fake_benchmark", "quick/11", 0.1), std::runtime_error);
+  try {
+    time_once(a() / "fake_benchmark", "quick/11", 0.1);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "fake_benchmark has no benchmark quick/11");  // and no folder
+  }
   EXPECT_EQ(seconds_of_unit("us"), 1e-6);
 }
 

@@ -70,7 +70,10 @@ int orient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
   const double magnitude = std::abs(left) + std::abs(right);
   const double bound = (3 + 16 * u) * u * magnitude;
   if (determinant > bound || -determinant > bound) return sign(determinant);
-  if (magnitude == 0) return 0;  // two points are the same, as at the ends of neighbouring edges
+  // Each product has a factor zero: two points are the same, as at the ends of neighbouring edges,
+  // or all lie on a line along an axis. None is lost to underflow: a difference is a unit in the
+  // last place or more, and two of them keep a product of 2^-960 above 2^-1066.
+  if (magnitude == 0) return 0;
   return exact_orient2d(a, b, c);
 }
 

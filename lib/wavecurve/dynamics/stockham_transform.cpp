@@ -142,11 +142,17 @@ namespace wavecurve {
 
 HWY_EXPORT(stockham);
 
+namespace {
+
+Eigen::Index checked(Eigen::Index size) {
+  if (size >= 1 && std::has_single_bit(static_cast<std::uint64_t>(size))) return size;
+  throw std::invalid_argument(fmt::format("size is {}, but must be a power of two", size));
+}
+
+}  // namespace
+
 StockhamTransform::StockhamTransform(Eigen::Index size)
-    : size_(size), roots_(size / 4, 6), workspace_(4 * size) {
-  if (size < 1 || !std::has_single_bit(static_cast<std::uint64_t>(size))) {
-    throw std::invalid_argument(fmt::format("size is {}, but must be a power of two", size));
-  }
+    : size_(checked(size)), roots_(size / 4, 6), workspace_(4 * size) {
   const Eigen::Index quarter = size / 4;
   // Sines and cosines of the first eighth; the others are these, by symmetry.
   for (Eigen::Index k = 0; 2 * k <= quarter; ++k) {

@@ -1,5 +1,7 @@
 #include "wavecurve/operators/circulant_product.hpp"
 
+#include <type_traits>
+
 #include "wavecurve/transform/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/operators/circulant_product.cpp"

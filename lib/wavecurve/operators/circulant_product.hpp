@@ -6,7 +6,7 @@
 
 namespace wavecurve {
 
-/// One row of a banded circulant, symmetric (sign 1) or antisymmetric (sign -1):
+/// Rows of a banded circulant, symmetric (sign 1) or antisymmetric (sign -1):
 ///   out_i = weights_0 x_i + sum_{l > 0} weights_l (x_{i-l} + sign x_{i+l}),  i = 0 .. count - 1.
 /// x holds weights.size() - 1 values in front of the first and behind the last as well; out does
 /// not overlap it. Vectorised for the processor at hand, the same bits on all.
