@@ -12,15 +12,15 @@
 #include <Eigen/Cholesky>
 #include <benchmark/benchmark.h>
 
-#include "wavecurve/dynamics/coupled.hpp"
-#include "wavecurve/dynamics/equation_of_motion.hpp"
-#include "wavecurve/dynamics/fourier_transform.hpp"
+#include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/schulz_inverse.hpp"
-#include "wavecurve/dynamics/shifted_solver.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/dynamics/stepping/coupled.hpp"
+#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
+#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
+#include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -31,8 +31,10 @@ int log2_of(Eigen::Index samples) {
 }
 
 /// An ellipse released towards the unit circle, D8, all levels, t from 0 to 1.
-InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames, Material material = {}) {
-  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples), material);
+dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
+                                      dynamics::Material material = {}) {
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
+                                        material);
   const PeriodicTransform<double> transform(system.bank(), samples, system.levels());
   Eigen::VectorXd workspace(transform.workspace_size());
   Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);
@@ -46,41 +48,42 @@ InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames, Material 
   return {system, displacement, {}, times, {}, {}, false};
 }
 
-double error_of(const Trajectory& solution, const Trajectory& exact) {
+double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
   return (solution.displacement.back() - exact.displacement.back()).norm() /
          exact.displacement.front().norm();
 }
 
 /// A solver by name; the counters say how exact it was and what it did.
-void solve(benchmark::State& state, const std::string& name, double accuracy, Material material) {
-  const InitialValueProblem problem = ellipse(state.range(0), 60, material);
-  const Solver solver = find_solver(name).make(accuracy);
-  Trajectory solution;
+void solve(benchmark::State& state, const std::string& name, double accuracy,
+           dynamics::Material material) {
+  const dynamics::InitialValueProblem problem = ellipse(state.range(0), 60, material);
+  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
-  state.counters["error"] = error_of(solution, solve_spectral(problem));
+  state.counters["error"] = error_of(solution, dynamics::solve_spectral(problem));
   state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
   state.SetComplexityN(state.range(0));
 }
 
 void one_frame(benchmark::State& state) {
-  const InitialValueProblem problem = ellipse(state.range(0), 1);
-  for (auto _ : state) benchmark::DoNotOptimize(solve_spectral(problem));
+  const dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(dynamics::solve_spectral(problem));
 }
 
 /// As the peers are asked: the state at t = 1 alone.
 void solve_end(benchmark::State& state, const std::string& name, double accuracy) {
-  const InitialValueProblem problem = ellipse(state.range(0), 1);
-  const Solver solver = find_solver(name).make(accuracy);
-  Trajectory solution;
+  const dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
+  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
-  const Eigen::MatrixXd exact = solve_spectral(problem).displacement[0];
+  const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
   state.counters["error"] = (solution.displacement[0] - exact).norm() / problem.displacement.norm();
   state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
 }
 
 /// The operator of the matrix-free coupled solver, as SUNDIALS calls it.
 struct Peer {
-  EquationOfMotion motion;
+  dynamics::EquationOfMotion motion;
   Eigen::Index rows;
 
   static int evaluate(realtype t, N_Vector y, N_Vector derivative, void* data) {
@@ -97,10 +100,10 @@ struct Peer {
 
 enum class Sundials { bdf, adams, explicit_runge_kutta };
 
-Eigen::MatrixXd solve_sundials(const InitialValueProblem& problem, Sundials method,
+Eigen::MatrixXd solve_sundials(const dynamics::InitialValueProblem& problem, Sundials method,
                                double tolerance, long long& evaluations) {
   const Eigen::Index rows = problem.system.samples();
-  Peer peer = {EquationOfMotion(problem, false), rows};
+  Peer peer = {dynamics::EquationOfMotion(problem, false), rows};
   sundials::Context context;
   N_Vector y = N_VNew_Serial(4 * rows, context);
   Eigen::Map<Eigen::MatrixXd> state(N_VGetArrayPointer(y), rows, 4);
@@ -141,19 +144,20 @@ Eigen::MatrixXd solve_sundials(const InitialValueProblem& problem, Sundials meth
 }
 
 void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
-  InitialValueProblem problem = ellipse(state.range(0), 1);
+  dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
   Eigen::MatrixXd end;
   long long evaluations = 0;
   for (auto _ : state) end = solve_sundials(problem, method, tolerance, evaluations);
-  const Eigen::MatrixXd exact = solve_spectral(problem).displacement[0];
+  const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
   state.counters["error"] = (end - exact).norm() / problem.displacement.norm();
   state.counters["evaluations"] = static_cast<double>(evaluations);
 }
 
 void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditioned) {
   const Eigen::Index samples = state.range(0);
-  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples), {});
-  SystemOperator a(system, 1, 1);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
+                                        {});
+  dynamics::SystemOperator a(system, 1, 1);
   Eigen::VectorXd b(samples), x(samples);
   for (Eigen::Index i = 0; i < samples; ++i) {
     b[i] = std::sin(1e4 * static_cast<double>(i * i % 9973));
@@ -161,7 +165,7 @@ void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditio
   int iterations = 0;
   for (auto _ : state) {
     x.setZero();
-    iterations = conjugate_gradients(a, b, x, 1e-8, is_preconditioned);
+    iterations = dynamics::conjugate_gradients(a, b, x, 1e-8, is_preconditioned);
   }
   state.counters["iterations"] = iterations;
 }
@@ -174,14 +178,14 @@ Eigen::SparseMatrix<double> damping_matrix(Eigen::Index samples) {
 void schulz_dense(benchmark::State& state) {
   const Eigen::MatrixXd c = damping_matrix(state.range(0));
   std::size_t steps = 0;
-  for (auto _ : state) steps = schulz_inverse(c, 1e-9).residuals.size();
+  for (auto _ : state) steps = dynamics::schulz_inverse(c, 1e-9).residuals.size();
   state.counters["steps"] = static_cast<double>(steps);
 }
 
 void schulz_sparse(benchmark::State& state) {
   const Eigen::SparseMatrix<double> c = damping_matrix(state.range(0));
-  SchulzInverse<Eigen::SparseMatrix<double>> result;
-  for (auto _ : state) result = schulz_inverse(c, 1e-9, 1e-12);
+  dynamics::SchulzInverse<Eigen::SparseMatrix<double>> result;
+  for (auto _ : state) result = dynamics::schulz_inverse(c, 1e-9, 1e-12);
   state.counters["steps"] = static_cast<double>(result.residuals.size());
   state.counters["residual"] = result.residuals.back();
   state.counters["filled"] =
@@ -199,12 +203,12 @@ void ldlt_inverse(benchmark::State& state) {
 /// C^-1 b by the Fourier transform: there is no need of the inverse.
 void fourier_solve(benchmark::State& state) {
   const Eigen::Index samples = state.range(0);
-  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                              {1, 1, 0, 1, 1e-4, 0});
-  const std::unique_ptr<ModalBasis> basis = fourier_basis(system);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
+                                        {1, 1, 0, 1, 1e-4, 0});
+  const std::unique_ptr<dynamics::ModalBasis> basis = dynamics::fourier_basis(system);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
   for (auto _ : state) {
-    Spectrum spectrum = basis->forward(b);
+    dynamics::ModalCoefficients spectrum = basis->forward(b);
     for (Eigen::Index k = 0; k < samples; ++k) {
       spectrum.row(k) /= basis->modes().damping[basis->mode(k)];
     }
@@ -217,7 +221,7 @@ double least(const std::vector<double>& times) {
   return *std::min_element(times.begin(), times.end());
 }
 
-const Material undamped = {}, damped = {1, 1, 0, 0.5, 1e-3, 0};
+const dynamics::Material undamped = {}, damped = {1, 1, 0, 0.5, 1e-3, 0};
 
 // 60 frames of N = 1024, and one of 2^20.
 BENCHMARK_CAPTURE(solve, spectral, "spectral", 1e-9, undamped)

@@ -16,10 +16,10 @@
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 
-#include "kernels/accuracy.hpp"
-#include "kernels/environment.hpp"
-#include "kernels/kernel.hpp"
-#include "kernels/limits.hpp"
+#include "benchmarks/kernels/accuracy.hpp"
+#include "benchmarks/kernels/environment.hpp"
+#include "benchmarks/kernels/kernel.hpp"
+#include "benchmarks/kernels/limits.hpp"
 
 namespace {
 

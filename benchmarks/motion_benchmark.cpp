@@ -11,11 +11,11 @@
 #include "wavecurve/curves/correspondence.hpp"
 #include "wavecurve/curves/crossings.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/io/lottie.hpp"
-#include "wavecurve/io/read_drawing.hpp"
-#include "wavecurve/motion/avoid_crossings.hpp"
-#include "wavecurve/motion/contour_morph.hpp"
-#include "wavecurve/motion/make_morph.hpp"
+#include "wavecurve/io/animations/lottie.hpp"
+#include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/motion/morph/avoid_crossings.hpp"
+#include "wavecurve/motion/morph/contour_morph.hpp"
+#include "wavecurve/motion/morph/make_morph.hpp"
 
 namespace wavecurve {
 namespace {
@@ -34,11 +34,11 @@ Contour rosette(Index points, int leaves) {
 }
 
 void linear_frame(benchmark::State& state, const char* filter) {
-  const ContourPair pair{rosette(1024, 5), rosette(1024, 12)};
-  ContourMorph morph(find_filter_bank(filter), 1024, 8, 1024);
+  const motion::ContourPair pair{rosette(1024, 5), rosette(1024, 12)};
+  motion::ContourMorph morph(find_filter_bank(filter), 1024, 8, 1024);
   Contour points(1024, 2);
   for (auto _ : state) {
-    morph.frame(pair, 0.3, detail_shares(Detail::blend, 0.25, 0.3), points);
+    morph.frame(pair, 0.3, motion::detail_shares(motion::Detail::blend, 0.25, 0.3), points);
     benchmark::DoNotOptimize(points.data());
   }
 }
@@ -83,18 +83,19 @@ BENCHMARK(plain_crossings)->Arg(1024)->Unit(benchmark::kMicrosecond);
 /// Counters: layers; bytes; proper crossings in nine intermediate frames, all layers together.
 void morph_to_lottie(benchmark::State& state, const std::string& source,
                      const std::string& destination, Index scale) {
-  MorphOptions options{.bank = find_filter_bank("bspline4.4"), .samples = 1024, .scale = scale};
-  options.detail = Detail::stage;
+  motion::MorphOptions options{
+      .bank = find_filter_bank("bspline4.4"), .samples = 1024, .scale = scale};
+  options.detail = motion::Detail::stage;
   std::string lottie;
-  Morph morph;
+  motion::Morph morph;
   for (auto _ : state) {
-    morph = make_morph(io::read_drawing(source).drawing, io::read_drawing(destination).drawing,
-                       options);
-    lottie = io::lottie(animate(morph), {});
+    morph = motion::make_morph(io::read_drawing(source).drawing,
+                               io::read_drawing(destination).drawing, options);
+    lottie = io::lottie(motion::animate(morph), {});
   }
   Index total = 0;
-  for (const MorphLayer& layer : morph.layers) {
-    const auto counts = crossings(morph, layer, {.1, .2, .3, .4, .5, .6, .7, .8, .9});
+  for (const motion::MorphLayer& layer : morph.layers) {
+    const auto counts = motion::crossings(morph, layer, {.1, .2, .3, .4, .5, .6, .7, .8, .9});
     total = std::accumulate(counts.begin(), counts.end(), total);
   }
   state.counters["layers"] = static_cast<double>(morph.layers.size());

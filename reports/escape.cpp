@@ -1,4 +1,4 @@
-#include "escape.hpp"
+#include "reports/escape.hpp"
 
 namespace wavecurve::reports {
 

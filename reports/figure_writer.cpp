@@ -1,12 +1,12 @@
-#include "figure_writer.hpp"
+#include "reports/figure_writer.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "gnuplot.hpp"
+#include "reports/gnuplot.hpp"
 
 namespace wavecurve::reports {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "claim.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,9 +1,9 @@
-#include "formula.hpp"
+#include "reports/formula.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-#include "escape.hpp"
+#include "reports/escape.hpp"
 
 namespace wavecurve::reports {
 

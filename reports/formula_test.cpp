@@ -1,4 +1,4 @@
-#include "formula.hpp"
+#include "reports/formula.hpp"
 
 #include <string>
 

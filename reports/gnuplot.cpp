@@ -1,4 +1,4 @@
-#include "gnuplot.hpp"
+#include "reports/gnuplot.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "wavecurve/io/run_program.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::reports {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "claim.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,11 +1,11 @@
-#include "html_evidence.hpp"
+#include "reports/html_evidence.hpp"
 
 #include <cctype>
 #include <cstdlib>
 
-#include "escape.hpp"
-#include "formula.hpp"
-#include "inline_svg.hpp"
+#include "reports/escape.hpp"
+#include "reports/formula.hpp"
+#include "reports/inline_svg.hpp"
 
 namespace wavecurve::reports {
 

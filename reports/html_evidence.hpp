@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "claim.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,7 +1,7 @@
-#include "html_head.hpp"
+#include "reports/html_head.hpp"
 
-#include "escape.hpp"
-#include "stylesheet.hpp"
+#include "reports/escape.hpp"
+#include "reports/stylesheet.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,10 +1,10 @@
-#include "html_report.hpp"
+#include "reports/html_report.hpp"
 
-#include "escape.hpp"
-#include "formula.hpp"
-#include "html_evidence.hpp"
-#include "html_head.hpp"
-#include "verdict_style.hpp"
+#include "reports/escape.hpp"
+#include "reports/formula.hpp"
+#include "reports/html_evidence.hpp"
+#include "reports/html_head.hpp"
+#include "reports/verdict_style.hpp"
 
 namespace wavecurve::reports {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "report.hpp"
+#include "reports/report.hpp"
 
 namespace wavecurve::reports {
 

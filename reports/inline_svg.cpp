@@ -1,4 +1,4 @@
-#include "inline_svg.hpp"
+#include "reports/inline_svg.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "escape.hpp"
+#include "reports/escape.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,4 +1,4 @@
-#include "inline_svg.hpp"
+#include "reports/inline_svg.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report.hpp"
+#include "reports/report.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,17 +1,17 @@
-#include "page.hpp"
+#include "reports/page.hpp"
 
 #include <map>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "escape.hpp"
-#include "figure_writer.hpp"
-#include "formula.hpp"
-#include "html_evidence.hpp"
-#include "html_head.hpp"
+#include "reports/escape.hpp"
+#include "reports/figure_writer.hpp"
+#include "reports/formula.hpp"
+#include "reports/html_evidence.hpp"
+#include "reports/html_head.hpp"
 
 namespace wavecurve::reports {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "claim.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,10 +1,10 @@
-#include "page.hpp"
+#include "reports/page.hpp"
 
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::reports {
 namespace {

@@ -1,4 +1,4 @@
-#include "report.hpp"
+#include "reports/report.hpp"
 
 #include <charconv>
 #include <cstdlib>

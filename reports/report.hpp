@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "publication.hpp"
-#include "run_claims.hpp"
+#include "verification/suite/publication.hpp"
+#include "verification/suite/run_claims.hpp"
 
 namespace wavecurve::reports {
 

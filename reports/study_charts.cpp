@@ -1,4 +1,4 @@
-#include "study_charts.hpp"
+#include "reports/study_charts.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "claim.hpp"
-#include "study_summary.hpp"
+#include "verification/study/study_summary.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
 

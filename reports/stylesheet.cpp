@@ -1,4 +1,4 @@
-#include "stylesheet.hpp"
+#include "reports/stylesheet.hpp"
 
 namespace wavecurve::reports {
 

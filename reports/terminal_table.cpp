@@ -1,4 +1,4 @@
-#include "terminal_table.hpp"
+#include "reports/terminal_table.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report.hpp"
+#include "reports/report.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,4 +1,4 @@
-#include "verdict_style.hpp"
+#include "reports/verdict_style.hpp"
 
 #include <stdexcept>
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "verdict.hpp"
+#include "verification/suite/verdict.hpp"
 
 namespace wavecurve::reports {
 

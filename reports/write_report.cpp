@@ -1,12 +1,12 @@
-#include "write_report.hpp"
+#include "reports/write_report.hpp"
 
 #include <variant>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "figure_writer.hpp"
-#include "html_report.hpp"
-#include "json_report.hpp"
+#include "reports/figure_writer.hpp"
+#include "reports/html_report.hpp"
+#include "reports/json_report.hpp"
 
 namespace wavecurve::reports {
 

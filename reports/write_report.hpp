@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "report.hpp"
+#include "reports/report.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,4 +1,4 @@
-#include "write_report.hpp"
+#include "reports/write_report.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::reports {
 namespace {

@@ -1,4 +1,4 @@
-#include "write_study.hpp"
+#include "reports/write_study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "escape.hpp"
-#include "formula.hpp"
-#include "gnuplot.hpp"
-#include "html_evidence.hpp"
-#include "html_head.hpp"
-#include "study_charts.hpp"
+#include "reports/escape.hpp"
+#include "reports/formula.hpp"
+#include "reports/gnuplot.hpp"
+#include "reports/html_evidence.hpp"
+#include "reports/html_head.hpp"
+#include "reports/study_charts.hpp"
 
 namespace wavecurve::reports {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study_summary.hpp"
+#include "verification/study/study_summary.hpp"
 
 namespace wavecurve::reports {
 

@@ -1,4 +1,4 @@
-#include "write_study.hpp"
+#include "reports/write_study.hpp"
 
 #include <filesystem>
 #include <string>
@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
-#include "study_charts.hpp"
+#include "reports/study_charts.hpp"
 
 namespace wavecurve::reports {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/write_file.hpp"
-#include "wavecurve/motion/gait/canine_joints.hpp"
+#include "wavecurve/io/files/write_file.hpp"
+#include "wavecurve/motion/gait/record/canine_joints.hpp"
 
 namespace {
 
@@ -27,14 +27,15 @@ std::string dog_walk() {
   const Eigen::VectorXd phases =
       Eigen::VectorXd::LinSpaced(cycles * frames_a_cycle, 0, cycles * frames_a_cycle - 1) /
       frames_a_cycle;
-  const LimbTracks walk = canine_joints(drawn_dog(), find_canine_gait("walk"), phases);
+  const gait::LimbTracks walk =
+      gait::canine_joints(gait::drawn_dog(), gait::find_canine_gait("walk"), phases);
   std::string text =
       "# The walk of the dog in dog.svg, written by generate_dog_walk; sources in "
       "canine_joints.hpp "
       "and canine_gaits.hpp\n"
       "frame,t,limb,joint,x,y\n";
   for (Eigen::Index i = 0; i < phases.size(); ++i) {
-    for (const LimbTrack& limb : walk.limbs) {
+    for (const gait::LimbTrack& limb : walk.limbs) {
       const std::vector<std::string>& names = joint_names(limb.limb);
       const Contour& joints = limb.outlines[static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < names.size(); ++k) {

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "wavecurve/certified/filter_table_source.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 int main(int argc, char** argv) try {
   if (argc != 2) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <system_error>
 
-#include "commands/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "commands/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 int main(int argc, char** argv) {
   using namespace wavecurve::tools;

@@ -1,22 +1,22 @@
-#include "accuracy.hpp"
+#include "benchmarks/kernels/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/schulz_inverse.hpp"
-#include "wavecurve/dynamics/shifted_solver.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
-#include "kernel.hpp"
-#include "test_problem.hpp"
+#include "benchmarks/kernels/kernel.hpp"
+#include "benchmarks/kernels/test_problem.hpp"
 
 namespace wavecurve::tracking {
 
@@ -77,10 +77,10 @@ double digits_proved(const std::string& filter) {
 }
 
 void add_solver(std::vector<Accuracy>& list, const std::string& name, double accuracy,
-                const Material& material) {
-  const InitialValueProblem problem = ellipse(64, 2, material);
-  const Trajectory exact = solve_spectral(problem);
-  const Trajectory solution = find_solver(name).make(accuracy)(problem);
+                const dynamics::Material& material) {
+  const dynamics::InitialValueProblem problem = ellipse(64, 2, material);
+  const dynamics::Trajectory exact = dynamics::solve_spectral(problem);
+  const dynamics::Trajectory solution = dynamics::find_solver(name).make(accuracy)(problem);
   const double scale = exact.displacement.front().norm();
   list.push_back({"solver_" + name, "error",
                   (solution.displacement.back() - exact.displacement.back()).norm() / scale});
@@ -90,17 +90,18 @@ void add_solver(std::vector<Accuracy>& list, const std::string& name, double acc
 
 void add_conjugate_gradients(std::vector<Accuracy>& list) {
   constexpr Eigen::Index samples = 1024;
-  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, all_levels(samples), {});
-  SystemOperator a(system, 1, 1);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), {});
+  dynamics::SystemOperator a(system, 1, 1);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(samples, -1, 1);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(samples);
   list.push_back({"conjugate_gradients", "iterations",
-                  static_cast<double>(conjugate_gradients(a, b, x, 1e-8, true))});
+                  static_cast<double>(dynamics::conjugate_gradients(a, b, x, 1e-8, true))});
 }
 
 void add_schulz(std::vector<Accuracy>& list) {
   const Eigen::MatrixXd c = damping(find_filter_bank<double>("db4"), 64, 6, 1, 1e-4);
-  const auto result = schulz_inverse(c, 1e-9);
+  const auto result = dynamics::schulz_inverse(c, 1e-9);
   list.push_back({"schulz_inverse", "iterations", static_cast<double>(result.residuals.size())});
   list.push_back({"schulz_inverse_residual", "error", result.residuals.back()});
 }

@@ -1,7 +1,7 @@
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 

@@ -5,9 +5,9 @@
 #include "wavecurve/curves/crossings.hpp"
 #include "wavecurve/curves/fit_cubics.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/motion/contour_morph.hpp"
+#include "wavecurve/motion/morph/contour_morph.hpp"
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 
@@ -25,10 +25,10 @@ Contour rosette(Eigen::Index points, int leaves) {
 }
 
 std::function<void()> frame(Eigen::Index points) {
-  const ContourPair pair{rosette(points, 5), rosette(points, 12)};
-  return [pair, morph = ContourMorph(find_filter_bank("bspline4.4"), points, 8, points),
+  const motion::ContourPair pair{rosette(points, 5), rosette(points, 12)};
+  return [pair, morph = motion::ContourMorph(find_filter_bank("bspline4.4"), points, 8, points),
           shape = pair.source]() mutable {
-    morph.frame(pair, 0.3, detail_shares(Detail::blend, 0.25, 0.3), shape);
+    morph.frame(pair, 0.3, motion::detail_shares(motion::Detail::blend, 0.25, 0.3), shape);
   };
 }
 

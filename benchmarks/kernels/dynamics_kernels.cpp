@@ -2,23 +2,23 @@
 #include <memory>
 
 #include "wavecurve/dynamics/schulz_inverse.hpp"
-#include "wavecurve/dynamics/shifted_solver.hpp"
 #include "wavecurve/dynamics/solver.hpp"
+#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"
 
-#include "kernel.hpp"
-#include "test_problem.hpp"
+#include "benchmarks/kernels/kernel.hpp"
+#include "benchmarks/kernels/test_problem.hpp"
 
 namespace wavecurve::tracking {
 
 namespace {
 
 std::function<void()> solve(const std::string& solver, double accuracy, Eigen::Index samples,
-                            Eigen::Index frames, const Material& material = {}) {
+                            Eigen::Index frames, const dynamics::Material& material = {}) {
   return [problem = ellipse(samples, frames, material),
-          solver = find_solver(solver).make(accuracy)] { solver(problem); };
+          solver = dynamics::find_solver(solver).make(accuracy)] { solver(problem); };
 }
 
 /// K + G, a right-hand side without structure, and the solution to be.
@@ -31,9 +31,9 @@ struct LinearSystem {
   }
   int iterations() {
     x.setZero();
-    return conjugate_gradients(a, b, x, 1e-8, true);
+    return dynamics::conjugate_gradients(a, b, x, 1e-8, true);
   }
-  SystemOperator a;
+  dynamics::SystemOperator a;
   Eigen::VectorXd b, x;
 };
 
@@ -46,7 +46,7 @@ Eigen::MatrixXd damping_matrix(Eigen::Index samples) {
 }
 
 std::function<void()> schulz(Eigen::Index samples) {
-  return [c = damping_matrix(samples)] { schulz_inverse(c, 1e-9); };
+  return [c = damping_matrix(samples)] { dynamics::schulz_inverse(c, 1e-9); };
 }
 
 // What an iteration takes depends on how many steps it needs, so each is run once for its limit.
@@ -64,17 +64,18 @@ double gradients_operations(Eigen::Index samples) {
 /// Two matrix products a step, but for the last, of which only the residual is wanted; and C^T C.
 double schulz_operations(Eigen::Index samples) {
   const auto steps =
-      static_cast<double>(schulz_inverse(damping_matrix(samples), 1e-9).residuals.size());
+      static_cast<double>(dynamics::schulz_inverse(damping_matrix(samples), 1e-9).residuals.size());
   return 2 * steps * 2 * std::pow(static_cast<double>(samples), 3);
 }
 
 /// What the library counts by formula, nearly all of it products with K and the sums of the method;
 /// but it takes the transforms for sums of products, more than the rotations need.
-double counted_operations(const std::string& solver, const InitialValueProblem& problem,
+double counted_operations(const std::string& solver, const dynamics::InitialValueProblem& problem,
                           double accuracy) {
-  const Trajectory trajectory = find_solver(solver).make(accuracy)(problem);
-  const auto counted = static_cast<double>(SystemOperator(problem.system, 1, 1).operations()) /
-                       static_cast<double>(problem.system.samples());
+  const dynamics::Trajectory trajectory = dynamics::find_solver(solver).make(accuracy)(problem);
+  const auto counted =
+      static_cast<double>(dynamics::SystemOperator(problem.system, 1, 1).operations()) /
+      static_cast<double>(problem.system.samples());
   return static_cast<double>(trajectory.cost.operations) * (product_operations + sums_operations) /
          (counted + sums_operations);
 }
@@ -107,7 +108,7 @@ std::vector<Kernel> dynamics_kernels() {
   Kernel coupled{"coupled_solver", 64, [](Eigen::Index n) { return solve("coupled", 1e-6, n, 2); }};
   static const double of_coupled = counted_operations("coupled", ellipse(64, 2, {}), 1e-6);
   coupled.operations = of_coupled;
-  static constexpr Material damped{1, 1, 0, 0.5, 1e-3, 0};
+  static constexpr dynamics::Material damped{1, 1, 0, 0.5, 1e-3, 0};
   Kernel implicit{"implicit_solver", 64,
                   [](Eigen::Index n) { return solve("implicit", 1e-2, n, 2, damped); }};
   static const double of_implicit = counted_operations("implicit", ellipse(64, 2, damped), 1e-2);

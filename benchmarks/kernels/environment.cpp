@@ -1,4 +1,4 @@
-#include "environment.hpp"
+#include "benchmarks/kernels/environment.hpp"
 
 #include <gnu/libc-version.h>
 

@@ -1,7 +1,7 @@
 #include <bit>
 #include <stdexcept>
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 

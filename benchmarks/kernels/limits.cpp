@@ -1,4 +1,4 @@
-#include "limits.hpp"
+#include "benchmarks/kernels/limits.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "wavecurve/transform/highway_targets.hpp"
+#include "wavecurve/transform/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "kernels/limits.cpp"
+#define HWY_TARGET_INCLUDE "benchmarks/kernels/limits.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

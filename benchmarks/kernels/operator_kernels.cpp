@@ -5,7 +5,7 @@
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 

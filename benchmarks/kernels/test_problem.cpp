@@ -1,4 +1,4 @@
-#include "test_problem.hpp"
+#include "benchmarks/kernels/test_problem.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -6,13 +6,14 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 
-InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames, Material material) {
+dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
+                                      dynamics::Material material) {
   const int levels = all_levels(samples);
-  const LagrangeSystem system(find_filter_bank<double>("db4"), samples, levels, material);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, levels, material);
   const PeriodicTransform<double> transform(system.bank(), samples, levels);
   Eigen::VectorXd workspace(transform.workspace_size(2));
   Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);

@@ -5,6 +5,7 @@
 namespace wavecurve::tracking {
 
 /// An ellipse released towards the unit circle, D8, all levels, so many frames until t = 1.
-InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames, Material material = {});
+dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
+                                      dynamics::Material material = {});
 
 }  // namespace wavecurve::tracking

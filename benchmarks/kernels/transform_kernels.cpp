@@ -3,7 +3,7 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
-#include "kernel.hpp"
+#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 

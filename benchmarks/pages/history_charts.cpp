@@ -1,4 +1,4 @@
-#include "history_charts.hpp"
+#include "benchmarks/pages/history_charts.hpp"
 
 #include <algorithm>
 #include <cmath>

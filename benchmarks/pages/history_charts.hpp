@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "claim.hpp"
-#include "history_series.hpp"
+#include "benchmarks/pages/history_series.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,4 +1,4 @@
-#include "history_page.hpp"
+#include "benchmarks/pages/history_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "history_charts.hpp"
-#include "history_series.hpp"
-#include "limit_reasons.hpp"
+#include "benchmarks/pages/history_charts.hpp"
+#include "benchmarks/pages/history_series.hpp"
+#include "benchmarks/pages/limit_reasons.hpp"
 
 namespace wavecurve::tracking {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "page.hpp"
-#include "record.hpp"
+#include "benchmarks/tracking/record.hpp"
+#include "reports/page.hpp"
 
 namespace wavecurve::tracking {
 

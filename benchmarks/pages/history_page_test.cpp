@@ -1,4 +1,4 @@
-#include "history_page.hpp"
+#include "benchmarks/pages/history_page.hpp"
 
 #include <stdexcept>
 #include <variant>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "history_charts.hpp"
+#include "benchmarks/pages/history_charts.hpp"
 
 namespace wavecurve::tracking {
 namespace {

@@ -1,13 +1,13 @@
-#include "history_series.hpp"
+#include "benchmarks/pages/history_series.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "bootstrap.hpp"
-#include "change_points.hpp"
-#include "timing.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
+#include "benchmarks/tracking/change_points.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,4 +1,4 @@
-#include "limit_reasons.hpp"
+#include "benchmarks/pages/limit_reasons.hpp"
 
 #include <map>
 

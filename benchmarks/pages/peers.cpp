@@ -1,8 +1,8 @@
-#include "peers.hpp"
+#include "benchmarks/pages/peers.hpp"
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
 namespace wavecurve::tracking {
 

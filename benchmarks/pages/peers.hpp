@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "bootstrap.hpp"
-#include "peers_page.hpp"
+#include "benchmarks/pages/peers_page.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,17 +1,17 @@
-#include "peers_page.hpp"
+#include "benchmarks/pages/peers_page.hpp"
 
 #include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/run_program.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "machine_fingerprint.hpp"
-#include "make_record.hpp"
-#include "peers.hpp"
-#include "verdict.hpp"
+#include "benchmarks/pages/peers.hpp"
+#include "benchmarks/tracking/change.hpp"
+#include "benchmarks/tracking/machine_fingerprint.hpp"
+#include "benchmarks/tracking/make_record.hpp"
 
 namespace wavecurve::tracking {
 
@@ -30,13 +30,13 @@ std::string time_text(double seconds) {
 /// A win, a loss or neither, by the same rule as a change of time.
 std::string result_of(const RatioInterval& ratio) {
   switch (judge_time(ratio, Thresholds().time)) {
-    case Verdict::slower:
+    case Change::slower:
       return "win";
-    case Verdict::faster:
+    case Change::faster:
       return "loss";
-    case Verdict::same:
+    case Change::same:
       return "equal";
-    case Verdict::inconclusive:
+    case Change::inconclusive:
       break;
   }
   return "open";

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "build.hpp"
-#include "page.hpp"
-#include "timing.hpp"
+#include "benchmarks/tracking/build.hpp"
+#include "benchmarks/tracking/timing.hpp"
+#include "reports/page.hpp"
 
 namespace wavecurve::tracking {
 

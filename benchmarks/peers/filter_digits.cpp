@@ -18,7 +18,7 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "bootstrap.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
 
 #include <algorithm>
 #include <cmath>

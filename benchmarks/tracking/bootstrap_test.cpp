@@ -1,4 +1,4 @@
-#include "bootstrap.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verdict.hpp"
+#include "benchmarks/tracking/change.hpp"
 
 namespace wavecurve::tracking {
 namespace {
@@ -113,7 +113,7 @@ double share_of_alarms(double ratio, const Noise& noise) {
   std::mt19937_64 random(11);
   const auto is_slower = [&] {
     const auto interval = bootstrap_ratio(simulate(ratio, 12, noise, random), 0.99, 1996, 500);
-    return judge_time(interval, Thresholds().time) == Verdict::slower;
+    return judge_time(interval, Thresholds().time) == Change::slower;
   };
   int alarms = 0;
   for (int i = 0; i < trials; ++i) alarms += is_slower() && is_slower() ? 1 : 0;

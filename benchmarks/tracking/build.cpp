@@ -1,9 +1,9 @@
-#include "build.hpp"
+#include "benchmarks/tracking/build.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
 namespace wavecurve::tracking {
 

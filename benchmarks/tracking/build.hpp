@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "record.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 namespace wavecurve::tracking {
 

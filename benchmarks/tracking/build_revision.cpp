@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
-#include "build.hpp"
+#include "benchmarks/tracking/build.hpp"
 
 namespace wavecurve::tracking {
 

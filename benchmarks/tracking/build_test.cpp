@@ -1,12 +1,12 @@
-#include "build.hpp"
+#include "benchmarks/tracking/build.hpp"
 
 #include <stdexcept>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/run_program.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::tracking {
 namespace {

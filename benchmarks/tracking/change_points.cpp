@@ -1,11 +1,11 @@
-#include "change_points.hpp"
+#include "benchmarks/tracking/change_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "bootstrap.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
 
 namespace wavecurve::tracking {
 

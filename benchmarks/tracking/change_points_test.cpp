@@ -1,4 +1,4 @@
-#include "change_points.hpp"
+#include "benchmarks/tracking/change_points.hpp"
 
 #include <random>
 

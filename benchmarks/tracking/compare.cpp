@@ -1,4 +1,4 @@
-#include "compare.hpp"
+#include "benchmarks/tracking/compare.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
-#include "machine_fingerprint.hpp"
-#include "make_record.hpp"
+#include "benchmarks/tracking/machine_fingerprint.hpp"
+#include "benchmarks/tracking/make_record.hpp"
 
 namespace wavecurve::tracking {
 
@@ -105,7 +105,7 @@ Row time_row(const BenchmarkName& benchmark, const std::vector<Block>& blocks,
 }
 
 bool is_alarm(const Row& row) {
-  return row.verdict == Verdict::slower || row.verdict == Verdict::faster;
+  return row.verdict == Change::slower || row.verdict == Change::faster;
 }
 
 /// The second measurement decides; where it does not say the same the first was no more than noise.
@@ -115,7 +115,7 @@ void confirm(Row& row, const Row& again) {
                          is_confirmed ? "confirmed" : "not confirmed", again.ratio.ratio,
                          again.ratio.lower, again.ratio.upper);
   if (!is_confirmed) {
-    row.verdict = again.verdict == Verdict::same ? Verdict::same : Verdict::inconclusive;
+    row.verdict = again.verdict == Change::same ? Change::same : Change::inconclusive;
   }
 }
 
@@ -186,7 +186,7 @@ void show_recorded_times(const Json& before, const Json& after, const CompareOpt
     Row row{name, "time", median(times), median(b.at(name))};
     row.ratio = bootstrap_ratio(times, b.at(name));
     row.verdict = judge_time(row.ratio, options.thresholds.time);
-    if (row.verdict != Verdict::same) row.verdict = Verdict::inconclusive;
+    if (row.verdict != Change::same) row.verdict = Change::inconclusive;
     row.note = "not measured together";
     result.rows.push_back(row);
   }

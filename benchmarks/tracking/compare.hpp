@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "build.hpp"
-#include "comparison.hpp"
-#include "timing.hpp"
+#include "benchmarks/tracking/build.hpp"
+#include "benchmarks/tracking/comparison.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,4 +1,4 @@
-#include "comparison.hpp"
+#include "benchmarks/tracking/comparison.hpp"
 
 #include <algorithm>
 #include <set>
@@ -68,13 +68,13 @@ std::vector<Row> by_verdict(const Comparison& comparison) {
   std::vector<Row> rows = comparison.rows;
   const auto rank = [](const Row& row) {
     switch (row.verdict) {
-      case Verdict::slower:
+      case Change::slower:
         return 0;
-      case Verdict::inconclusive:
+      case Change::inconclusive:
         return 1;
-      case Verdict::faster:
+      case Change::faster:
         return 2;
-      case Verdict::same:
+      case Change::same:
         break;
     }
     return 3;
@@ -85,8 +85,8 @@ std::vector<Row> by_verdict(const Comparison& comparison) {
 
 std::string summary(const Comparison& comparison) {
   std::string text;
-  for (const Verdict verdict :
-       {Verdict::slower, Verdict::faster, Verdict::inconclusive, Verdict::same}) {
+  for (const Change verdict :
+       {Change::slower, Change::faster, Change::inconclusive, Change::same}) {
     const auto count = std::ranges::count(comparison.rows, verdict, &Row::verdict);
     if (count > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(verdict));
@@ -99,26 +99,25 @@ std::string summary(const Comparison& comparison) {
 
 }  // namespace
 
-Verdict Comparison::verdict_of(const std::string& benchmark) const {
-  std::set<Verdict> seen;
+Change Comparison::verdict_of(const std::string& benchmark) const {
+  std::set<Change> seen;
   bool is_counted = false;
   for (const Row& row : rows) {
     if (row.benchmark != benchmark) continue;
     seen.insert(row.verdict);
     is_counted |= row.quantity != "time";
   }
-  if (seen.contains(Verdict::slower)) return Verdict::slower;
-  if (seen.contains(Verdict::faster)) return Verdict::faster;
-  return seen.contains(Verdict::inconclusive) && !is_counted ? Verdict::inconclusive
-                                                             : Verdict::same;
+  if (seen.contains(Change::slower)) return Change::slower;
+  if (seen.contains(Change::faster)) return Change::faster;
+  return seen.contains(Change::inconclusive) && !is_counted ? Change::inconclusive : Change::same;
 }
 
 int Comparison::exit_code() const {
   bool is_open = false;
   for (const Row& row : rows) {
-    const Verdict verdict = verdict_of(row.benchmark);
-    if (verdict == Verdict::slower) return 1;
-    is_open |= verdict == Verdict::inconclusive;
+    const Change verdict = verdict_of(row.benchmark);
+    if (verdict == Change::slower) return 1;
+    is_open |= verdict == Change::inconclusive;
   }
   return is_open ? 4 : 0;
 }
@@ -128,7 +127,7 @@ std::string to_text(const Comparison& comparison, bool all) {
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   std::vector<std::vector<std::string>> lines{heading};
   for (const Row& row : by_verdict(comparison)) {
-    if (all || row.verdict != Verdict::same) lines.push_back(cells(row));
+    if (all || row.verdict != Change::same) lines.push_back(cells(row));
   }
   if (lines.size() > 1) text += fmt::format("\n{}\n", aligned(lines));
   return text + summary(comparison) + "\n";

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "record.hpp"
-#include "verdict.hpp"
+#include "benchmarks/tracking/change.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 namespace wavecurve::tracking {
 
@@ -16,7 +16,7 @@ struct Row {
   std::string quantity;  ///< "instructions", "time", "error", "iterations", "digits"
   double before = 0, after = 0;
   RatioInterval ratio{1, 1, 1};
-  Verdict verdict = Verdict::same;
+  Change verdict = Change::same;
   std::string note = {};  ///< data references; that an alarm was confirmed, or not
 };
 
@@ -27,7 +27,7 @@ struct Comparison {
 
   /// Of a benchmark, all its quantities together: slower if one is; what the counts leave the same
   /// is the same though its time is inconclusive.
-  Verdict verdict_of(const std::string& benchmark) const;
+  Change verdict_of(const std::string& benchmark) const;
   /// 0: no regression, 1: a regression, 4: nothing worse than inconclusive.
   int exit_code() const;
 };

@@ -1,37 +1,37 @@
-#include "comparison.hpp"
+#include "benchmarks/tracking/comparison.hpp"
 
 #include <gtest/gtest.h>
 
-#include "compare.hpp"
-#include "machine_fingerprint.hpp"
+#include "benchmarks/tracking/compare.hpp"
+#include "benchmarks/tracking/machine_fingerprint.hpp"
 
 namespace wavecurve::tracking {
 namespace {
 
-Row row(const std::string& benchmark, const std::string& quantity, Verdict verdict) {
+Row row(const std::string& benchmark, const std::string& quantity, Change verdict) {
   return {benchmark, quantity, 100, 120, {1.2, 1.1, 1.3}, verdict, "noted"};
 }
 
 TEST(Comparison, ExitCodes) {
   Comparison c{"a", "b", {}, {}};
   EXPECT_EQ(c.exit_code(), 0);
-  c.rows = {row("x", "time", Verdict::same), row("y", "time", Verdict::faster)};
+  c.rows = {row("x", "time", Change::same), row("y", "time", Change::faster)};
   EXPECT_EQ(c.exit_code(), 0);
-  c.rows.push_back(row("z", "time", Verdict::inconclusive));
+  c.rows.push_back(row("z", "time", Change::inconclusive));
   EXPECT_EQ(c.exit_code(), 4);
-  c.rows.push_back(row("accuracy", "error", Verdict::slower));
+  c.rows.push_back(row("accuracy", "error", Change::slower));
   EXPECT_EQ(c.exit_code(), 1);
 }
 
 TEST(Comparison, CountsSettleWhatTimesLeaveOpen) {
   Comparison c{"a",
                "b",
-               {row("x", "instructions", Verdict::same), row("x", "time", Verdict::inconclusive)},
+               {row("x", "instructions", Change::same), row("x", "time", Change::inconclusive)},
                {}};
-  EXPECT_EQ(c.verdict_of("x"), Verdict::same);
-  c.rows[1].verdict = Verdict::slower;
-  EXPECT_EQ(c.verdict_of("x"), Verdict::slower);
-  c.rows[0].verdict = Verdict::faster;
+  EXPECT_EQ(c.verdict_of("x"), Change::same);
+  c.rows[1].verdict = Change::slower;
+  EXPECT_EQ(c.verdict_of("x"), Change::slower);
+  c.rows[0].verdict = Change::faster;
   EXPECT_EQ(c.exit_code(), 1);
 }
 
@@ -39,7 +39,7 @@ TEST(Comparison, Forms) {
   Comparison c{
       "old",
       "new",
-      {row("x/1024", "time", Verdict::slower), row("unchanged", "instructions", Verdict::same)},
+      {row("x/1024", "time", Change::slower), row("unchanged", "instructions", Change::same)},
       {"a note"}};
   const std::string text = to_text(c, false);
   EXPECT_NE(text.find("note: a note"), std::string::npos);
@@ -86,7 +86,7 @@ TEST(CompareRecords, TheSameIsTheSame) {
 TEST(CompareRecords, FindsInstructionsAndLossOfAccuracy) {
   Json slow = record();
   slow["kernels"]["transform"]["instructions"] = 10100;
-  EXPECT_EQ(compare_records(record(), slow).verdict_of("transform/64"), Verdict::slower);
+  EXPECT_EQ(compare_records(record(), slow).verdict_of("transform/64"), Change::slower);
   Json wrong = record();
   wrong["accuracy"]["round_trip"]["value"] = 2e-16;
   EXPECT_EQ(compare_records(record(), wrong).exit_code(), 1);
@@ -105,7 +105,7 @@ TEST(CompareRecords, TimesThatWereNotMeasuredTogetherRaiseNoAlarm) {
   Json before = record();
   before.erase("kernels");
   const Comparison c = compare_records(before, slow);
-  EXPECT_EQ(c.verdict_of("transform/64"), Verdict::inconclusive);
+  EXPECT_EQ(c.verdict_of("transform/64"), Change::inconclusive);
   EXPECT_EQ(c.exit_code(), 4);
 }
 

@@ -1,4 +1,4 @@
-#include "growth.hpp"
+#include "benchmarks/tracking/growth.hpp"
 
 #include <cmath>
 #include <numeric>

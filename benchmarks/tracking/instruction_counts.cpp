@@ -1,4 +1,4 @@
-#include "instruction_counts.hpp"
+#include "benchmarks/tracking/instruction_counts.hpp"
 
 #include <cstdlib>
 #include <future>
@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
-#include "bootstrap.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
 
 namespace wavecurve::tracking {
 

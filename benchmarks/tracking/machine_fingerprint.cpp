@@ -1,4 +1,4 @@
-#include "machine_fingerprint.hpp"
+#include "benchmarks/tracking/machine_fingerprint.hpp"
 
 #include <filesystem>
 #include <fstream>

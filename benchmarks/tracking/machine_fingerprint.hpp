@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "record.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 namespace wavecurve::tracking {
 

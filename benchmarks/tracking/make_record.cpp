@@ -1,4 +1,4 @@
-#include "make_record.hpp"
+#include "benchmarks/tracking/make_record.hpp"
 
 #include <array>
 #include <chrono>
@@ -7,9 +7,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
-#include "machine_fingerprint.hpp"
+#include "benchmarks/tracking/machine_fingerprint.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "build.hpp"
-#include "instruction_counts.hpp"
-#include "record.hpp"
-#include "timing.hpp"
+#include "benchmarks/tracking/build.hpp"
+#include "benchmarks/tracking/instruction_counts.hpp"
+#include "benchmarks/tracking/record.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 namespace wavecurve::tracking {
 

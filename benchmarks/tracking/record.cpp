@@ -1,11 +1,11 @@
-#include "record.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::tracking {
 

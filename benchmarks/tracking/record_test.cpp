@@ -1,4 +1,4 @@
-#include "record.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::tracking {
 namespace {

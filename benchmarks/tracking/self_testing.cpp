@@ -1,4 +1,4 @@
-#include "self_testing.hpp"
+#include "benchmarks/tracking/self_testing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "compare.hpp"
-#include "growth.hpp"
-#include "instruction_counts.hpp"
-#include "make_record.hpp"
+#include "benchmarks/tracking/compare.hpp"
+#include "benchmarks/tracking/growth.hpp"
+#include "benchmarks/tracking/instruction_counts.hpp"
+#include "benchmarks/tracking/make_record.hpp"
 
 namespace wavecurve::tracking {
 
@@ -45,9 +45,9 @@ Check counts_find(const Json& counts, const Build& build, int runs) {
   std::string text;
   bool is_passed = false;
   for (const Row& row : found.rows) {
-    if (row.verdict == Verdict::same) continue;
+    if (row.verdict == Change::same) continue;
     const bool is_it = row.benchmark.starts_with(slowed_kernel + "/");
-    is_passed = text.empty() && is_it && row.verdict == Verdict::slower;
+    is_passed = text.empty() && is_it && row.verdict == Change::slower;
     text +=
         fmt::format("{} {} {} ", row.benchmark, to_string(row.verdict), percent(row.ratio.ratio));
   }
@@ -86,7 +86,7 @@ CompareOptions timing_options(bool is_short) {
 }
 
 bool is_alarm(const Row& row) {
-  return row.verdict == Verdict::slower || row.verdict == Verdict::faster;
+  return row.verdict == Change::slower || row.verdict == Change::faster;
 }
 
 Check times_silent(const Build& build, bool is_short, const Say& say) {
@@ -101,7 +101,7 @@ Check times_silent(const Build& build, bool is_short, const Say& say) {
     const auto result = compare_times(build, build, names, options, [](const auto&) {});
     alarms += std::ranges::any_of(result, is_alarm) ? 1 : 0;
     rows += static_cast<int>(result.size());
-    same += static_cast<int>(std::ranges::count(result, Verdict::same, &Row::verdict));
+    same += static_cast<int>(std::ranges::count(result, Change::same, &Row::verdict));
   }
   return {fmt::format("times of a build against itself, {} rounds of {} kernels: at most one alarm",
                       rounds, names.size()),
@@ -121,7 +121,7 @@ std::pair<bool, std::string> find_by_times(const Build& build, const CompareOpti
     text +=
         fmt::format("{} {} {} ", row.benchmark, to_string(row.verdict), percent(row.ratio.ratio));
     const bool is_it = row.benchmark.starts_with(slowed_kernel + "/");
-    (is_it && row.verdict == Verdict::slower ? is_found : is_other) = true;
+    (is_it && row.verdict == Change::slower ? is_found : is_other) = true;
   }
   return {is_found && !is_other, text.empty() ? "nothing" : text};
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "build.hpp"
-#include "timing.hpp"
+#include "benchmarks/tracking/build.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,4 +1,4 @@
-#include "timing.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 #include <algorithm>
 #include <random>
@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/run_program.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/run_program.hpp"
 
 namespace wavecurve::tracking {
 

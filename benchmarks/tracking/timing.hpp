@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bootstrap.hpp"
-#include "record.hpp"
+#include "benchmarks/tracking/bootstrap.hpp"
+#include "benchmarks/tracking/record.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,4 +1,4 @@
-#include "timing.hpp"
+#include "benchmarks/tracking/timing.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "compare.hpp"
+#include "benchmarks/tracking/compare.hpp"
 
 namespace wavecurve::tracking {
 namespace {
@@ -87,10 +87,10 @@ TEST_F(TimingTest, ComparesBuilds) {
   options.filter = ".";
   const Comparison c = compare({"a", build_in(a()), {}}, {"b", build_in(b()), {}}, options, silent);
   ASSERT_EQ(c.rows.size(), 2u);
-  EXPECT_EQ(c.verdict_of("quick/1"), Verdict::slower);
+  EXPECT_EQ(c.verdict_of("quick/1"), Change::slower);
   EXPECT_NEAR(c.rows[0].ratio.ratio, 1.3, 0.01);
   EXPECT_NE(c.rows[0].note.find("confirmed by a second"), std::string::npos);
-  EXPECT_EQ(c.verdict_of("steady/1"), Verdict::same);
+  EXPECT_EQ(c.verdict_of("steady/1"), Change::same);
   EXPECT_EQ(c.exit_code(), 1);
 }
 

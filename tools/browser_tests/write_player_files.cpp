@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animation_test.hpp"
-#include "wavecurve/io/png.hpp"
-#include "wavecurve/io/raster.hpp"
-#include "wavecurve/io/write_animation.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/animations/animation_test.hpp"
+#include "wavecurve/io/animations/raster.hpp"
+#include "wavecurve/io/animations/write_animation.hpp"
+#include "wavecurve/io/files/png.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace {
 
@@ -17,9 +17,9 @@ using namespace wavecurve;
 
 /// Five frames NAME-0.png ... at 0, 1/4 ... of the duration, in the size of the players.
 void write_references(const std::filesystem::path& folder, const std::string& name,
-                      const Animation& animation) {
+                      const motion::Animation& animation) {
   for (int quarter = 0; quarter <= 4; ++quarter) {
-    const auto frame = frame_at(animation, animation.duration * quarter / 4);
+    const auto frame = motion::frame_at(animation, animation.duration * quarter / 4);
     io::write_file(folder / fmt::format("{}-{}.png", name, quarter),
                    io::png(io::render(frame, animation.view_box, {500, 400})));
   }
@@ -30,7 +30,7 @@ void write_all(const std::filesystem::path& folder) {
   options.frames = 61;
   options.pixels = 500;
   options.loop = true;
-  const Animation animation = io::sample_animation();
+  const motion::Animation animation = io::sample_animation();
   for (const auto& [name, tolerance] : {std::pair{"polygons", 0.0}, {"cubics", 0.02}}) {
     options.tolerance = tolerance;
     for (const char* ending : {"svg", "json", "html"}) {
@@ -38,14 +38,14 @@ void write_all(const std::filesystem::path& folder) {
     }
   }
   write_references(folder, "animation", animation);
-  Morph morph = io::sample_morph(Detail::blend);
+  motion::Morph morph = io::sample_morph(motion::Detail::blend);
   io::write_animation(folder / "morph.html", morph, options);
-  write_references(folder, "blend", animate(morph));
-  for (MorphLayer& layer : morph.layers) layer.scale = 64;
-  morph.detail = Detail::drop;
-  write_references(folder, "drop-64", animate(morph));
-  morph.detail = Detail::stage;
-  write_references(folder, "stage-64", animate(morph));
+  write_references(folder, "blend", motion::animate(morph));
+  for (motion::MorphLayer& layer : morph.layers) layer.scale = 64;
+  morph.detail = motion::Detail::drop;
+  write_references(folder, "drop-64", motion::animate(morph));
+  morph.detail = motion::Detail::stage;
+  write_references(folder, "stage-64", motion::animate(morph));
 }
 
 }  // namespace

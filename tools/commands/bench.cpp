@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "commands.hpp"
-#include "compare.hpp"
-#include "make_record.hpp"
-#include "self_testing.hpp"
+#include "benchmarks/tracking/compare.hpp"
+#include "benchmarks/tracking/make_record.hpp"
+#include "benchmarks/tracking/self_testing.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
 

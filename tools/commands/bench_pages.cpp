@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "commands.hpp"
-#include "history_page.hpp"
-#include "peers_page.hpp"
+#include "benchmarks/pages/history_page.hpp"
+#include "benchmarks/pages/peers_page.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

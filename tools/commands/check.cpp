@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "check_table.hpp"
-#include "commands.hpp"
+#include "tools/commands/commands.hpp"
+#include "verification/tables/check_table.hpp"
 
 namespace wavecurve::tools {
 

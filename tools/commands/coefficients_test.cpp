@@ -5,9 +5,9 @@
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

@@ -12,16 +12,16 @@
 #include <fmt/ranges.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "commands.hpp"
-#include "named_shapes.hpp"
-#include "number_format.hpp"
-#include "progress.hpp"
-#include "study_journal.hpp"
-#include "study_json.hpp"
-#include "study_text.hpp"
-#include "write_study.hpp"
+#include "reports/write_study.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/number_format.hpp"
+#include "tools/commands/progress.hpp"
+#include "tools/commands/study_text.hpp"
+#include "verification/study/named_shapes.hpp"
+#include "verification/study/study_journal.hpp"
+#include "verification/study/study_json.hpp"
 
 namespace wavecurve::tools {
 
@@ -55,7 +55,7 @@ Options completed(Options options) {
                                             options.dampings.size()));
   }
   if (options.solvers.empty()) {
-    for (const NamedSolver& solver : solvers()) {
+    for (const dynamics::NamedSolver& solver : dynamics::solvers()) {
       if (!solver.is_massless) options.solvers.push_back(solver.name);
     }
   }

@@ -1,4 +1,4 @@
-#include "crossings_table.hpp"
+#include "tools/commands/crossings_table.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -9,9 +9,9 @@ namespace wavecurve::tools {
 
 namespace {
 
-std::size_t longest_id(const Morph& morph) {
+std::size_t longest_id(const motion::Morph& morph) {
   std::size_t longest = std::string("layer").size();
-  for (const MorphLayer& layer : morph.layers) longest = std::max(longest, layer.id.size());
+  for (const motion::MorphLayer& layer : morph.layers) longest = std::max(longest, layer.id.size());
   return longest;
 }
 
@@ -25,13 +25,13 @@ std::string frames_text(const std::vector<Eigen::Index>& counts) {
 
 }  // namespace
 
-std::string crossings_table(const Morph& morph, const std::vector<double>& taus) {
+std::string crossings_table(const motion::Morph& morph, const std::vector<double>& taus) {
   const std::size_t width = longest_id(morph);
   std::string text =
       fmt::format("{:<{}}  {:>5}  {:>9}  in frames\n", "layer", width, "scale", "crossings");
   Eigen::Index all = 0;
-  for (const MorphLayer& layer : morph.layers) {
-    const std::vector<Eigen::Index> counts = crossings(morph, layer, taus);
+  for (const motion::MorphLayer& layer : morph.layers) {
+    const std::vector<Eigen::Index> counts = motion::crossings(morph, layer, taus);
     const Eigen::Index sum = std::accumulate(counts.begin(), counts.end(), Eigen::Index{0});
     text += fmt::format("{:<{}}  {:>5}  {:>9} {}\n", layer.id, width, layer.scale, sum,
                         frames_text(counts));
@@ -40,15 +40,15 @@ std::string crossings_table(const Morph& morph, const std::vector<double>& taus)
   return text + fmt::format("{} crossings in {} frames between the drawings\n", all, taus.size());
 }
 
-std::string choices_table(const ChosenMorph& chosen) {
+std::string choices_table(const motion::ChosenMorph& chosen) {
   const std::size_t width = longest_id(chosen.morph);
   std::string text =
       fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", "layer", width, "scale", "crossings", "start");
-  for (const ScaleChoice& choice : chosen.choices) {
+  for (const motion::ScaleChoice& choice : chosen.choices) {
     text += fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", choice.layer, width, choice.scale,
                         choice.crossings, choice.alternative == 0 ? "as asked" : "rotation aside");
   }
-  if (chosen.morph.detail == Detail::stage) {
+  if (chosen.morph.detail == motion::Detail::stage) {
     text += fmt::format("details fade in the first and last {:.3g} of the time\n",
                         chosen.morph.stage_share);
   }

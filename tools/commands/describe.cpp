@@ -10,12 +10,12 @@
 
 #include "wavecurve/curves/descriptor.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
+#include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
-#include "wavecurve/io/read_drawing.hpp"
-#include "wavecurve/io/write_file.hpp"
 #include "wavecurve/transform/bands.hpp"
 
-#include "commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
 

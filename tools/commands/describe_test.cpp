@@ -5,10 +5,10 @@
 #include "wavecurve/curves/descriptor.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
-#include "wavecurve/io/read_drawing.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

@@ -14,8 +14,8 @@
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
-#include "commands.hpp"
-#include "number_format.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/number_format.hpp"
 
 namespace wavecurve::tools {
 

@@ -9,19 +9,19 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animation_sheet.hpp"
-#include "wavecurve/io/gait_parameters_json.hpp"
+#include "wavecurve/io/animations/animation_sheet.hpp"
+#include "wavecurve/io/animations/write_animation.hpp"
+#include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
-#include "wavecurve/io/read_drawing.hpp"
-#include "wavecurve/io/read_limb_tracks.hpp"
-#include "wavecurve/io/write_animation.hpp"
-#include "wavecurve/io/write_file.hpp"
-#include "wavecurve/motion/gait/fit_gait.hpp"
-#include "wavecurve/motion/gait/gait_animation.hpp"
+#include "wavecurve/io/tracks/gait_parameters_json.hpp"
+#include "wavecurve/io/tracks/read_limb_tracks.hpp"
+#include "wavecurve/motion/gait/model/fit_gait.hpp"
+#include "wavecurve/motion/gait/walk/gait_animation.hpp"
 
-#include "commands.hpp"
-#include "gait_table.hpp"
-#include "progress.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/gait_table.hpp"
+#include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {
 
@@ -38,11 +38,11 @@ struct FitOptions {
   std::vector<double> key_frames;
 };
 
-GaitModel named_model(const std::string& name) {
-  if (const auto model = find_gait_model(name)) return *model;
+gait::GaitModel named_model(const std::string& name) {
+  if (const auto model = gait::find_gait_model(name)) return *model;
   std::string known;
-  for (GaitModel model : gait_models) {
-    known += (known.empty() ? "" : ", ") + std::string(model_name(model));
+  for (gait::GaitModel model : gait::gait_models) {
+    known += (known.empty() ? "" : ", ") + std::string(gait::model_name(model));
   }
   throw std::invalid_argument(fmt::format("there is no model '{}'; there are {}", name, known));
 }
@@ -60,14 +60,14 @@ std::optional<Eigen::Index> scale_of(const std::string& text) {
 }
 
 void fit(const FitOptions& options) {
-  GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
+  gait::GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
   how.scale = scale_of(options.scale);
   if (!options.models.empty()) how.models.clear();
   for (const std::string& name : options.models) how.models.push_back(named_model(name));
   if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
-  const LimbTracks tracks =
+  const gait::LimbTracks tracks =
       io::read_limb_tracks({options.tracks.begin(), options.tracks.end()}, options.reading);
-  const GaitFit fitted = fit_gait(tracks, how);
+  const gait::GaitFit fitted = gait::fit_gait(tracks, how);
   io::write_file(options.output, io::gait_parameters_json(fitted.parameters));
   if (fitted.cycle.is_loop) fmt::print("the record ends where it begins: one cycle\n");
   fmt::print("{}", gait_summary(fitted.parameters));
@@ -112,26 +112,26 @@ void add_fit(CLI::App* gait) {
 
 struct SynthesisOptions {
   std::string parameters, drawing, output, gait;
-  GaitAnimationOptions animation;
+  gait::GaitAnimationOptions animation;
   std::optional<double> period;
   bool smooth = false, sheet = false;
   double tolerance = 0;
 };
 
 /// Seconds of a cycle: the record's, if that can be seconds and not numbers of frames.
-double cycle_duration(const SynthesisOptions& options, const GaitParameters& parameters) {
+double cycle_duration(const SynthesisOptions& options, const gait::GaitParameters& parameters) {
   if (options.period) return *options.period;
   return parameters.period >= 0.1 && parameters.period <= 4 ? parameters.period : 1;
 }
 
 /// Without the last frame, which is the first: what a film of frames shows.
-Animation open_loop(Animation animation, int frames) {
-  for (AnimatedLayer& layer : animation.layers) layer.outline.pop_back();
+motion::Animation open_loop(motion::Animation animation, int frames) {
+  for (motion::AnimatedLayer& layer : animation.layers) layer.outline.pop_back();
   animation.duration *= static_cast<double>(frames - 1) / frames;
   return animation;
 }
 
-void write(const SynthesisOptions& options, const GaitAnimation& walk) {
+void write(const SynthesisOptions& options, const gait::GaitAnimation& walk) {
   Progress progress("frames");
   io::OutputOptions output;
   output.loop = true;
@@ -157,17 +157,17 @@ void synthesize(const SynthesisOptions& options) {
   if (options.sheet && !options.output.ends_with(".svg")) {
     throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
   }
-  GaitAnimationOptions how = options.animation;
-  if (!options.gait.empty()) how.gait = find_canine_gait(options.gait);
-  const GaitParameters parameters = io::read_gait_parameters(options.parameters);
+  gait::GaitAnimationOptions how = options.animation;
+  if (!options.gait.empty()) how.gait = gait::find_canine_gait(options.gait);
+  const gait::GaitParameters parameters = io::read_gait_parameters(options.parameters);
   how.bank = io::load_filter_bank(parameters.filter);
   how.cycle_duration = cycle_duration(options, parameters);
-  if (options.smooth) how.continuity = Continuity::velocity;
+  if (options.smooth) how.continuity = gait::Continuity::velocity;
   io::DrawingFile drawing = io::read_drawing(options.drawing);
   for (const std::string& warning : drawing.warnings) {
     fmt::print(stderr, "wavecurve: {}: {}\n", options.drawing, warning);
   }
-  const GaitAnimation walk = animate_gait(parameters, drawing.drawing, how);
+  const gait::GaitAnimation walk = gait::animate_gait(parameters, drawing.drawing, how);
   write(options, walk);
   fmt::print(
       "stride {:.4g} units of the drawing, {:.4g} seconds a cycle\n"

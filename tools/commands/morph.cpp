@@ -9,20 +9,20 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animation_sheet.hpp"
+#include "wavecurve/io/animations/animation_sheet.hpp"
+#include "wavecurve/io/animations/write_animation.hpp"
+#include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
-#include "wavecurve/io/read_drawing.hpp"
-#include "wavecurve/io/write_animation.hpp"
-#include "wavecurve/io/write_file.hpp"
-#include "wavecurve/motion/avoid_crossings.hpp"
 #include "wavecurve/motion/ease.hpp"
-#include "wavecurve/motion/make_morph.hpp"
+#include "wavecurve/motion/morph/avoid_crossings.hpp"
+#include "wavecurve/motion/morph/make_morph.hpp"
 #include "wavecurve/motion/there_and_back.hpp"
 
-#include "commands.hpp"
-#include "crossings_table.hpp"
-#include "motion_options.hpp"
-#include "progress.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/crossings_table.hpp"
+#include "tools/commands/motion_options.hpp"
+#include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {
 
@@ -30,21 +30,24 @@ namespace {
 
 enum class Crossings { ignored, report, avoid };
 
-const std::map<std::string, Detail> details{
-    {"drop", Detail::drop}, {"blend", Detail::blend}, {"stage", Detail::stage}};
-const std::map<std::string, Ease> eases{
-    {"linear", Ease::linear}, {"in", Ease::in}, {"out", Ease::out}, {"in-out", Ease::in_out}};
+const std::map<std::string, motion::Detail> details{{"drop", motion::Detail::drop},
+                                                    {"blend", motion::Detail::blend},
+                                                    {"stage", motion::Detail::stage}};
+const std::map<std::string, motion::Ease> eases{{"linear", motion::Ease::linear},
+                                                {"in", motion::Ease::in},
+                                                {"out", motion::Ease::out},
+                                                {"in-out", motion::Ease::in_out}};
 const std::map<std::string, Crossings> crossings_modes{{"report", Crossings::report},
                                                        {"avoid", Crossings::avoid}};
 
 struct Options {
   std::string source, destination, output, filter = "bspline4.4", scale = "full";
   std::vector<std::string> map, starts;
-  MorphOptions morph;
+  motion::MorphOptions morph;
   MotionOptions motion;
-  Ease ease = Ease::linear;
+  motion::Ease ease = motion::Ease::linear;
   Crossings crossings = Crossings::ignored;
-  std::optional<Detail> detail;
+  std::optional<motion::Detail> detail;
   std::optional<int> frames;
   double tolerance = 0;
   bool loop = false, sheet = false, rotation = false;
@@ -67,8 +70,8 @@ std::pair<std::string, std::string> parsed_pair(const std::string& text, const c
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-MorphOptions morph_options(const Options& options) {
-  MorphOptions morph = options.morph;
+motion::MorphOptions morph_options(const Options& options) {
+  motion::MorphOptions morph = options.morph;
   morph.bank = io::load_filter_bank(options.filter);
   if (options.scale != "full") {
     morph.scale = parsed_number(options.scale);
@@ -91,7 +94,7 @@ MorphOptions morph_options(const Options& options) {
   if (options.rotation) morph.rotation = Rotation::taken_out;
   // With all details blended there would be no scale to choose.
   const bool avoid = options.crossings == Crossings::avoid;
-  morph.detail = options.detail.value_or(avoid ? Detail::stage : Detail::blend);
+  morph.detail = options.detail.value_or(avoid ? motion::Detail::stage : motion::Detail::blend);
   return morph;
 }
 
@@ -104,27 +107,28 @@ Drawing read(const std::string& path) {
 }
 
 /// The normalised times of the frames but the first and the last.
-std::vector<double> inner_times(int frames, Ease ease) {
+std::vector<double> inner_times(int frames, motion::Ease ease) {
   std::vector<double> taus;
   for (int i = 1; i + 1 < frames; ++i) {
-    taus.push_back(eased(ease, static_cast<double>(i) / (frames - 1)));
+    taus.push_back(motion::eased(ease, static_cast<double>(i) / (frames - 1)));
   }
   return taus;
 }
 
-ChosenMorph without_crossings(const Drawing& source, const Drawing& destination,
-                              MorphOptions options, const std::vector<double>& taus) {
-  std::vector<Morph> alternatives{make_morph(source, destination, options)};
+motion::ChosenMorph without_crossings(const Drawing& source, const Drawing& destination,
+                                      motion::MorphOptions options,
+                                      const std::vector<double>& taus) {
+  std::vector<motion::Morph> alternatives{motion::make_morph(source, destination, options)};
   if (options.rotation == Rotation::kept) {
     options.rotation = Rotation::taken_out;
-    alternatives.push_back(make_morph(source, destination, options));
+    alternatives.push_back(motion::make_morph(source, destination, options));
   }
   Progress progress("crossings");
-  return avoid_crossings(alternatives, taus,
-                         [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  return motion::avoid_crossings(
+      alternatives, taus, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
-void write(const Options& options, int frames, const Morph& morph) {
+void write(const Options& options, int frames, const motion::Morph& morph) {
   Progress progress("frames");
   io::OutputOptions output;
   output.frames = frames;
@@ -135,18 +139,19 @@ void write(const Options& options, int frames, const Morph& morph) {
   };
   const bool is_physical = options.motion.is_physical();
   // Only a linear morph in even time can be rescaled by the viewer of a page.
-  if (!is_physical && options.ease == Ease::linear && !options.sheet) {
+  if (!is_physical && options.ease == motion::Ease::linear && !options.sheet) {
     return io::write_animation(options.output, morph, output);
   }
-  const Animation in_even_time =
-      is_physical ? physical_animation(morph, options.motion.physical(frames)) : animate(morph);
-  const Animation animation = eased(in_even_time, options.ease, frames);
+  const motion::Animation in_even_time =
+      is_physical ? motion::physical_animation(morph, options.motion.physical(frames))
+                  : motion::animate(morph);
+  const motion::Animation animation = motion::eased(in_even_time, options.ease, frames);
   if (options.sheet) {
     return io::write_file(options.output, io::animation_sheet(animation, output));
   }
   if (!options.loop) return io::write_animation(options.output, animation, output);
   output.frames = 2 * frames - 1;  // at the same rate
-  io::write_animation(options.output, there_and_back(animation), output);
+  io::write_animation(options.output, motion::there_and_back(animation), output);
 }
 
 void check(const Options& options, int frames) {
@@ -170,17 +175,17 @@ void check(const Options& options, int frames) {
 void run(const Options& options) {
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   check(options, frames);
-  const MorphOptions how = morph_options(options);
+  const motion::MorphOptions how = morph_options(options);
   const Drawing source = read(options.source), destination = read(options.destination);
   const std::vector<double> taus = inner_times(frames, options.ease);
-  Morph morph;
+  motion::Morph morph;
   std::string text;
   if (options.crossings == Crossings::avoid) {
-    ChosenMorph chosen = without_crossings(source, destination, how, taus);
+    motion::ChosenMorph chosen = without_crossings(source, destination, how, taus);
     text = choices_table(chosen);
     morph = std::move(chosen.morph);
   } else {
-    morph = make_morph(source, destination, how);
+    morph = motion::make_morph(source, destination, how);
     if (options.crossings == Crossings::report) text = crossings_table(morph, taus);
   }
   write(options, frames, morph);

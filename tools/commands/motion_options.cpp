@@ -1,4 +1,4 @@
-#include "motion_options.hpp"
+#include "tools/commands/motion_options.hpp"
 
 #include <charconv>
 #include <stdexcept>
@@ -13,8 +13,8 @@ void MotionOptions::add_to(CLI::App* command) {
                    "linear, or physical: the source as an elastic curve at rest as the destination")
       ->check(CLI::IsMember({"linear", "physical"}).description(""))
       ->capture_default_str();
-  Material& material = options_.material;
-  const Material& lively = lively_material;
+  dynamics::Material& material = options_.material;
+  const dynamics::Material& lively = motion::lively_material;
   damping_ = {lively.mass_damping, lively.stiffness_damping};
   force_ = {0, 0};
   of_physical_ = {
@@ -47,8 +47,8 @@ void MotionOptions::check() const {
   }
 }
 
-PhysicalOptions MotionOptions::physical(int frames) const {
-  PhysicalOptions options = options_;
+motion::PhysicalOptions MotionOptions::physical(int frames) const {
+  motion::PhysicalOptions options = options_;
   options.frames = frames;
   options.material.mass_damping = damping_[0];
   options.material.stiffness_damping = damping_[1];

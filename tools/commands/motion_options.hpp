@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "wavecurve/motion/physical_motion.hpp"
+#include "wavecurve/motion/morph/physical_motion.hpp"
 
 namespace wavecurve::tools {
 
@@ -18,11 +18,11 @@ class MotionOptions {
   /// Throws std::invalid_argument for an option of physical motion without --motion physical.
   void check() const;
   /// Throws std::invalid_argument for an --until that is neither a number nor `settled`.
-  PhysicalOptions physical(int frames) const;
+  motion::PhysicalOptions physical(int frames) const;
 
  private:
   std::string motion_ = "linear", until_ = "settled";
-  PhysicalOptions options_;
+  motion::PhysicalOptions options_;
   std::vector<double> damping_;  ///< mass, stiffness and maybe density
   std::vector<double> force_;
   std::vector<CLI::Option*> of_physical_;

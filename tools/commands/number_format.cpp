@@ -1,4 +1,4 @@
-#include "number_format.hpp"
+#include "tools/commands/number_format.hpp"
 
 #include <cctype>
 #include <cmath>

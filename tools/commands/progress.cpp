@@ -1,4 +1,4 @@
-#include "progress.hpp"
+#include "tools/commands/progress.hpp"
 
 #include <cstdio>
 #include <unistd.h>

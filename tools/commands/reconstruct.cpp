@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
-#include "wavecurve/io/animated_svg.hpp"
+#include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
-#include "wavecurve/io/write_file.hpp"
 #include "wavecurve/motion/animation.hpp"
 
-#include "commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
 
@@ -45,9 +45,9 @@ Eigen::Index scale_of(const std::string& text, Eigen::Index samples) {
 }
 
 /// A picture that stands still.
-Animation reconstructed(const Descriptor& descriptor, Eigen::Index scale) {
+motion::Animation reconstructed(const Descriptor& descriptor, Eigen::Index scale) {
   const FilterBank<double> bank = io::load_filter_bank(descriptor.filter);
-  Animation still;
+  motion::Animation still;
   still.view_box = descriptor.view_box;
   still.duration = 1;
   for (const LayerDescriptor& layer : descriptor.layers) {
@@ -58,10 +58,10 @@ Animation reconstructed(const Descriptor& descriptor, Eigen::Index scale) {
 }
 
 /// Contours are numbered through all layers: two of them with the same number would be one.
-std::string points_csv(const Animation& still) {
+std::string points_csv(const motion::Animation& still) {
   std::string text = "contour,x,y\n";
   int number = 0;
-  for (const AnimatedLayer& layer : still.layers) {
+  for (const motion::AnimatedLayer& layer : still.layers) {
     for (const Contour& contour : layer.outline.front().contours) {
       for (const auto& point : contour.rowwise()) {
         text += fmt::format("{},{},{}\n", number, point[0], point[1]);
@@ -75,7 +75,7 @@ std::string points_csv(const Animation& still) {
 void run(const Options& options) {
   const std::string ending = checked_ending(options.output);
   const Descriptor descriptor = io::read_descriptor(options.input);
-  const Animation still =
+  const motion::Animation still =
       reconstructed(descriptor, scale_of(options.scale, descriptor.options.samples));
   io::OutputOptions output;
   output.accuracy = 1e-6;

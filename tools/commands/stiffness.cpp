@@ -5,17 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/matrix_market.hpp"
 #include "wavecurve/io/matrix_picture.hpp"
-#include "wavecurve/io/write_file.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/spectrum.hpp"
 #include "wavecurve/transform/bands.hpp"
 
-#include "commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
 

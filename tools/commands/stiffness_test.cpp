@@ -3,11 +3,11 @@
 #include <string>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/matrix_market.hpp"
-#include "wavecurve/io/write_file.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
-#include "program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "study_text.hpp"
+#include "tools/commands/study_text.hpp"
 
 #include <fmt/format.h>
 

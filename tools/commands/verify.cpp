@@ -11,12 +11,12 @@
 
 #include <fmt/core.h>
 
-#include "claim.hpp"
-#include "commands.hpp"
-#include "reference.hpp"
-#include "run_claims.hpp"
-#include "terminal_table.hpp"
-#include "write_report.hpp"
+#include "reports/terminal_table.hpp"
+#include "reports/write_report.hpp"
+#include "tools/commands/commands.hpp"
+#include "verification/suite/claim.hpp"
+#include "verification/suite/reference.hpp"
+#include "verification/suite/run_claims.hpp"
 
 namespace wavecurve::tools {
 

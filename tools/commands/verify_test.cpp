@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
-#include "program_test.hpp"
+#include "tools/commands/program_test.hpp"
 
 namespace wavecurve::tools {
 namespace {

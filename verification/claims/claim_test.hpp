@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claim.hpp"
+#include "verification/suite/claim.hpp"
 
 namespace wavecurve::verification {
 

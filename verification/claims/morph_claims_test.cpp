@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claim_test.hpp"
+#include "verification/claims/claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {

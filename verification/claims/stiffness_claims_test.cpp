@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claim_test.hpp"
+#include "verification/claims/claim_test.hpp"
 
 namespace wavecurve::verification {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/dynamics/fourier_transform.hpp"
+#include "wavecurve/transform/fourier_transform.hpp"
 
 namespace wavecurve {
 

@@ -135,7 +135,8 @@ Subpath prepared(Subpath subpath) {
   if (subpath.segments.empty()) {
     throw std::invalid_argument("the length of a contour is 0, but must be positive");
   }
-  return subpath.closed ? closed_by_line(std::move(subpath)) : there_and_back(std::move(subpath));
+  return subpath.closed ? closed_by_line(std::move(subpath))
+                        : there_and_back(std::move(subpath));
 }
 
 Contour sample(const Subpath& closed, Index samples, Corners corners) {

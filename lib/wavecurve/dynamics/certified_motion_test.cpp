@@ -7,10 +7,10 @@
 #include "wavecurve/certified/ball.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
-#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 namespace {
 
 using certified::Ball;
@@ -54,7 +54,7 @@ TEST(CertifiedMotion, EnclosesTheSpectralSolution) {
     const LagrangeSystem system(find_filter_bank<double>("db4"), samples, 0, {1, 1, 0, 0, s2, 0});
     const InitialValueProblem problem = {system, start, {}, Eigen::Vector3d(0.25, 1, 10), {}, {}};
     const Trajectory spectral = solve_spectral(problem);
-    const double fastest = std::sqrt(system.symbols().stiffness.maxCoeff());
+    const double fastest = std::sqrt(system.eigenvalues().stiffness.maxCoeff());
     for (std::size_t i = 0; i < 3; ++i) {
       const double t = problem.times[static_cast<Eigen::Index>(i)];
       const std::vector<Ball> exact = enclosed_motion(start, s2, t);
@@ -72,4 +72,4 @@ TEST(CertifiedMotion, EnclosesTheSpectralSolution) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

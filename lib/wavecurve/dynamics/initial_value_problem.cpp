@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -82,4 +82,4 @@ ForceDensity attraction(const Eigen::Ref<const Eigen::RowVectorXd>& point, doubl
   };
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

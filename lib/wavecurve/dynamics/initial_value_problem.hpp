@@ -10,7 +10,7 @@
 
 #include "wavecurve/dynamics/lagrange_system.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// A force density per unit of the parameter interval as a function of time and state. It is given
 /// the positions (rest shape and displacement) and velocities of the sample points, one a row, and
@@ -91,4 +91,4 @@ void keep_what_is_reached(Trajectory& trajectory, const std::function<void()>& s
 /// negative, values that are not finite. Every solver calls it first.
 void check(const InitialValueProblem& problem);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -10,7 +10,7 @@
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -28,7 +28,7 @@ Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int
 
 /// Of the diagonal blocks of the bands.
 std::vector<Eigen::VectorXd> band_symbols(const FilterBank<double>& bank,
-                                          const std::vector<Band>& bands, int order) {
+                                              const std::vector<Band>& bands, int order) {
   std::vector<Eigen::VectorXd> symbols;
   if (order == 0 && bank.is_orthonormal()) {
     for (const Band& band : bands) symbols.push_back(Eigen::VectorXd::Ones(band.size / 2 + 1));
@@ -66,12 +66,13 @@ LagrangeSystem::LagrangeSystem(FilterBank<double> bank, Eigen::Index samples, in
   check("damping density", material.damping_density);
   checked_log2(samples);
   multiscale_bands(samples, levels);
-  symbols();
+  eigenvalues();
 }
 
-Symbols LagrangeSystem::compose(const Eigen::VectorXd& gram, const Eigen::VectorXd& first,
-                                const Eigen::VectorXd& second) const {
-  Symbols result;
+CirculantEigenvalues LagrangeSystem::compose(const Eigen::VectorXd& gram,
+                                             const Eigen::VectorXd& first,
+                                             const Eigen::VectorXd& second) const {
+  CirculantEigenvalues result;
   result.gram = gram;
   result.mass = material_.density * gram;
   result.stiffness = material_.stiffness * first;
@@ -81,30 +82,30 @@ Symbols LagrangeSystem::compose(const Eigen::VectorXd& gram, const Eigen::Vector
   return result;
 }
 
-Symbols LagrangeSystem::symbols() const {
+CirculantEigenvalues LagrangeSystem::eigenvalues() const {
   return compose(symbol(bank_, samples_, 0), symbol(bank_, samples_, 1),
                  material_.bending > 0 ? symbol(bank_, samples_, 2) : Eigen::VectorXd());
 }
 
-std::vector<Symbols> LagrangeSystem::band_symbols() const {
+std::vector<CirculantEigenvalues> LagrangeSystem::band_eigenvalues() const {
   const std::vector<Band> bands = multiscale_bands(samples_, levels_);
-  const auto gram = wavecurve::band_symbols(bank_, bands, 0);
-  const auto first = wavecurve::band_symbols(bank_, bands, 1);
-  const auto second = material_.bending > 0 ? wavecurve::band_symbols(bank_, bands, 2)
+  const auto gram = band_symbols(bank_, bands, 0);
+  const auto first = band_symbols(bank_, bands, 1);
+  const auto second = material_.bending > 0 ? band_symbols(bank_, bands, 2)
                                             : std::vector<Eigen::VectorXd>(bands.size());
-  std::vector<Symbols> result;
+  std::vector<CirculantEigenvalues> result;
   for (std::size_t i = 0; i < bands.size(); ++i) {
     result.push_back(compose(gram[i], first[i], second[i]));
   }
   return result;
 }
 
-Symbols LagrangeSystem::band_diagonals() const {
+CirculantEigenvalues LagrangeSystem::band_diagonals() const {
   const std::vector<Band> bands = multiscale_bands(samples_, levels_);
   const auto count = static_cast<Eigen::Index>(bands.size());
-  Symbols result = {Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count),
-                    Eigen::VectorXd(count)};
-  const std::vector<Symbols> blocks = band_symbols();
+  CirculantEigenvalues result = {Eigen::VectorXd(count), Eigen::VectorXd(count),
+                                 Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  const std::vector<CirculantEigenvalues> blocks = band_eigenvalues();
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const auto band = static_cast<Eigen::Index>(i);
     result.gram[band] = mean(blocks[i].gram, bands[i].size);
@@ -138,4 +139,4 @@ Eigen::SparseMatrix<double> LagrangeSystem::stiffness() const {
   return combination(0, material_.stiffness, material_.bending);
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -6,7 +6,7 @@
 
 #include "wavecurve/filters/filter_bank.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// The constants of M q'' + C q' + K q = Q with G, D_1, D_2 the integrals of products of the basis
 /// functions, of their first and of their second derivatives (operators/multiscale_matrix.hpp):
@@ -26,7 +26,7 @@ struct Material {
 /// The eigenvalues of the mass, damping and stiffness matrices on the finest level, where they are
 /// circulants, by frequency n = 0 .. samples / 2 (those of samples - n are the same). Frequency 0
 /// is the translation, of which only mass and damping act.
-struct Symbols {
+struct CirculantEigenvalues {
   Eigen::VectorXd gram, mass, damping, stiffness;
 };
 
@@ -45,17 +45,17 @@ class LagrangeSystem {
   int levels() const { return levels_; }
   const Material& material() const { return material_; }
 
-  Symbols symbols() const;
+  CirculantEigenvalues eigenvalues() const;
   /// The same of the diagonal block of each band, circulants too, by frequency 0 .. size / 2.
-  std::vector<Symbols> band_symbols() const;
+  std::vector<CirculantEigenvalues> band_eigenvalues() const;
   /// The entries on the diagonals, by band: within a band they are all the same.
-  Symbols band_diagonals() const;
+  CirculantEigenvalues band_diagonals() const;
   Eigen::SparseMatrix<double> mass() const, damping() const, stiffness() const;
 
  private:
   /// With K and C composed of the three.
-  Symbols compose(const Eigen::VectorXd& gram, const Eigen::VectorXd& first,
-                  const Eigen::VectorXd& second) const;
+  CirculantEigenvalues compose(const Eigen::VectorXd& gram, const Eigen::VectorXd& first,
+                               const Eigen::VectorXd& second) const;
   /// gram G + first D_1 + second D_2.
   Eigen::SparseMatrix<double> combination(double gram, double first, double second) const;
 
@@ -65,4 +65,4 @@ class LagrangeSystem {
   Material material_;
 };
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -10,7 +10,7 @@
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/transform/bands.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -37,7 +37,7 @@ TEST(LagrangeSystem, HasTheDiagonalsOfItsMatricesBandByBand) {
     for (const int levels : {0, 2, 5}) {
       const LagrangeSystem system(find_filter_bank<double>(filter), 32, levels,
                                   {2, 0.7, 0, 0.3, 1e-3, 0.4});
-      const Symbols diagonals = system.band_diagonals();
+      const CirculantEigenvalues diagonals = system.band_diagonals();
       Eigen::Index i = 0;
       for (const Band& band : multiscale_bands(32, levels)) {
         for (const auto& [matrix, entries] : {std::pair(system.mass(), diagonals.mass),
@@ -53,4 +53,4 @@ TEST(LagrangeSystem, HasTheDiagonalsOfItsMatricesBandByBand) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -10,7 +10,7 @@
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// Coefficients of the curve whose samples are given.
 inline Eigen::MatrixXd coefficients_of(const LagrangeSystem& system,
@@ -68,4 +68,4 @@ inline double largest_difference(const std::vector<Eigen::MatrixXd>& a,
   return value;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

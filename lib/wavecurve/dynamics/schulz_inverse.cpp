@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -118,4 +118,4 @@ SchulzInverse<Sparse> schulz_inverse(const Sparse& c, double tolerance, double t
   return iterate<Sparse>(compressed, tolerance, threshold);
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -4,7 +4,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// How an iteration ended.
 enum class SchulzStatus {
@@ -50,4 +50,4 @@ SchulzInverse<Eigen::MatrixXd> schulz_inverse(const Eigen::Ref<const Eigen::Matr
 SchulzInverse<Eigen::SparseMatrix<double>> schulz_inverse(const Eigen::SparseMatrix<double>& c,
                                                           double tolerance, double threshold);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -9,7 +9,7 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -102,4 +102,4 @@ TEST(SchulzInverse, RefusesWhatHasNoInverse) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "wavecurve/dynamics/coupled.hpp"
-#include "wavecurve/dynamics/decoupled.hpp"
-#include "wavecurve/dynamics/implicit.hpp"
-#include "wavecurve/dynamics/massless.hpp"
-#include "wavecurve/dynamics/spectral.hpp"
+#include "wavecurve/dynamics/modal/decoupled.hpp"
+#include "wavecurve/dynamics/modal/spectral.hpp"
+#include "wavecurve/dynamics/stepping/coupled.hpp"
+#include "wavecurve/dynamics/stepping/implicit.hpp"
+#include "wavecurve/dynamics/stepping/massless.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -91,4 +91,4 @@ const NamedSolver& find_solver(const std::string& name) {
       fmt::format("solver is \"{}\", but must be one of {}", name, fmt::join(names, ", ")));
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

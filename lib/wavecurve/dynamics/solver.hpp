@@ -6,7 +6,7 @@
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// The one interface of all solvers.
 using Solver = std::function<Trajectory(const InitialValueProblem&)>;
@@ -33,4 +33,4 @@ const std::vector<NamedSolver>& solvers();
 /// Throws std::invalid_argument for an unknown name, naming those there are.
 const NamedSolver& find_solver(const std::string& name);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -20,4 +20,4 @@ void check_tolerance(double tolerance) { check("tolerance", tolerance); }
 
 void check_step(double step) { check("step", step); }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// Throws std::invalid_argument unless the tolerance of a solver is finite and above 0.
 void check_tolerance(double tolerance);
@@ -8,4 +8,4 @@ void check_tolerance(double tolerance);
 /// The same of a step size.
 void check_step(double step);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

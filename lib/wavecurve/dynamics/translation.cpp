@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 namespace {
 
@@ -87,4 +87,4 @@ Solver with_translation(Solver solver, Translation translation) {
   };
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -4,7 +4,7 @@
 
 #include "wavecurve/dynamics/solver.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 
 /// What becomes of the mean of the displacement, a translation of the whole curve: it is in the
 /// null space of K, so that no elastic force brings it back ("completely", as the publication has
@@ -24,4 +24,4 @@ Solver with_translation(Solver solver, Translation translation);
 Eigen::RowVectorXd mean(const LagrangeSystem& system,
                         const Eigen::Ref<const Eigen::MatrixXd>& coefficients);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

@@ -6,7 +6,7 @@
 
 #include "wavecurve/dynamics/problem_test.hpp"
 
-namespace wavecurve {
+namespace wavecurve::dynamics {
 namespace {
 
 InitialValueProblem falling(const std::string& filter) {
@@ -73,4 +73,4 @@ TEST(Translation, GeneralForcesSeeTheWholeMotion) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::dynamics

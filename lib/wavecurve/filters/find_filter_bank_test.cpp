@@ -8,7 +8,7 @@
 #include "wavecurve/certified/filter_table_source.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve {
 namespace {

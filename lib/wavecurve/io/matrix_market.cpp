@@ -8,8 +8,8 @@
 #include <unistd.h>
 #include <unsupported/Eigen/SparseExtra>
 
-#include "wavecurve/io/read_file.hpp"
-#include "wavecurve/io/write_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {
 

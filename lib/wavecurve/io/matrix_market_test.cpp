@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/read_file.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::vector<FrameLayer> frame_at(const Animation& animation, double time) {
   return frame;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

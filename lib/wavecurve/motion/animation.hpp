@@ -6,7 +6,7 @@
 #include "wavecurve/curves/contour.hpp"
 #include "wavecurve/curves/drawing.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 /// The outline of a layer at a time: the same number of contours, with the same numbers of points,
 /// in every key of the layer.
@@ -46,4 +46,4 @@ struct FrameLayer {
 /// The layers at a time; what every renderer and test compares itself with.
 std::vector<FrameLayer> frame_at(const Animation& animation, double time);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

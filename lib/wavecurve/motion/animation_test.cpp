@@ -9,7 +9,7 @@
 #include "wavecurve/motion/check_animation.hpp"
 #include "wavecurve/motion/there_and_back.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 namespace {
 
 Animation triangle() {
@@ -81,4 +81,4 @@ TEST(CheckAnimation, WantsAViewBoxAndADuration) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -5,7 +5,7 @@
 
 #include "wavecurve/motion/oklab.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 namespace {
 
@@ -68,4 +68,4 @@ Paint vanishing(Paint paint) {
   return paint;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -4,7 +4,7 @@
 
 #include "wavecurve/motion/animation.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 /// Paint on the way from one to another, as keys with times 0 .. duration. Colours move on the
 /// straight line in OKLab (colour_line), opacities and widths linearly. A fill or a stroke that
@@ -15,4 +15,4 @@ std::vector<PaintKey> blend_paint(const Paint& from, const Paint& to, double dur
 /// The paint of a layer that is to vanish: a stroke, which would leave a dot, has faded.
 Paint vanishing(Paint paint);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 namespace {
 
@@ -84,4 +84,4 @@ void check_animation(const Animation& animation) {
   }
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -2,7 +2,7 @@
 
 #include "wavecurve/motion/animation.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 /// Throws std::invalid_argument, naming the layer, unless the animation is as its types say: keys
 /// in increasing time within the duration, the same number of contours with the same numbers of
@@ -10,4 +10,4 @@ namespace wavecurve {
 /// box and duration positive. Players do not notice: they show garbage.
 void check_animation(const Animation& animation);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 double eased(Ease ease, double share) {
   switch (ease) {
@@ -37,4 +37,4 @@ Animation eased(const Animation& animation, Ease ease, int frames) {
   return result;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -2,7 +2,7 @@
 
 #include "wavecurve/motion/animation.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 /// How time passes in an animation: evenly, from rest, to rest, or both.
 enum class Ease { linear, in, out, in_out };
@@ -15,4 +15,4 @@ double eased(Ease ease, double share);
 /// as it is. Throws std::invalid_argument unless frames >= 2.
 Animation eased(const Animation& animation, Ease ease, int frames);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

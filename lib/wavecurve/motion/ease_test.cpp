@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 namespace {
 
 constexpr Ease all[] = {Ease::linear, Ease::in, Ease::out, Ease::in_out};
@@ -41,4 +41,4 @@ TEST(Eased, FramesAreThoseOfTheWarpedTime) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::vector<ColourStop> colour_line(const Colour& from, const Colour& to) {
   return stops;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

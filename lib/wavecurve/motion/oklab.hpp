@@ -6,7 +6,7 @@
 
 #include "wavecurve/curves/drawing.hpp"
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 /// Lightness L, green-red a and blue-yellow b of the perceptual space OKLab, in which equal
 /// distances look about equally large. Matrices: B. Ottosson, A perceptual color space for image
@@ -25,4 +25,4 @@ struct ColourStop {
 /// are linear: off by less than 1/512 in each, half a step of eight bits. The ends are exact.
 std::vector<ColourStop> colour_line(const Colour& from, const Colour& to);
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

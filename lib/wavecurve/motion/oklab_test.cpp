@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -64,4 +64,4 @@ TEST(ColourLine, OfEqualColoursHasTwoStops) {
 }
 
 }  // namespace
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

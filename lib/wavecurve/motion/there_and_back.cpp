@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace wavecurve {
+namespace wavecurve::motion {
 
 namespace {
 
@@ -28,4 +28,4 @@ Animation there_and_back(const Animation& animation) {
   return result;
 }
 
-}  // namespace wavecurve
+}  // namespace wavecurve::motion

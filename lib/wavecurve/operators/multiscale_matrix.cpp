@@ -6,8 +6,8 @@
 
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/transform/bands.hpp"
+#include "wavecurve/transform/detail/strided_block.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
-#include "wavecurve/transform/strided_block.hpp"
 
 namespace wavecurve {
 

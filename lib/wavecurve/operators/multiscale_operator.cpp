@@ -5,7 +5,7 @@
 
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/circulant_product.hpp"
-#include "wavecurve/transform/periodic_kernels.hpp"
+#include "wavecurve/transform/detail/periodic_kernels.hpp"
 
 namespace wavecurve {
 

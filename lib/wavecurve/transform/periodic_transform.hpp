@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "wavecurve/filters/filter_bank.hpp"
-#include "wavecurve/transform/filter_pair.hpp"
+#include "wavecurve/transform/detail/filter_pair.hpp"
 
 namespace wavecurve {
 

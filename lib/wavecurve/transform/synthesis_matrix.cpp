@@ -1,8 +1,8 @@
 #include "wavecurve/transform/synthesis_matrix.hpp"
 
 #include "wavecurve/transform/bands.hpp"
+#include "wavecurve/transform/detail/strided_block.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
-#include "wavecurve/transform/strided_block.hpp"
 
 namespace wavecurve {
 

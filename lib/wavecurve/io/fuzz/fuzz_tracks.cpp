@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "wavecurve/io/fuzz/check_drawing.hpp"
-#include "wavecurve/io/track_table.hpp"
+#include "wavecurve/io/tracks/track_table.hpp"
 
 namespace {
 
@@ -15,7 +15,7 @@ void check(const wavecurve::io::TrackTable& table) {
   for (Eigen::Index i = 1; i < frames; ++i) {
     demand(table.tracks.times[i] > table.tracks.times[i - 1]);
   }
-  for (const wavecurve::LimbTrack& limb : table.tracks.limbs) {
+  for (const wavecurve::gait::LimbTrack& limb : table.tracks.limbs) {
     demand(limb.outlines.size() == static_cast<std::size_t>(frames));
     for (const wavecurve::Contour& points : limb.outlines) {
       demand(points.rows() >= (table.joints ? 2 : 4) && points.allFinite());

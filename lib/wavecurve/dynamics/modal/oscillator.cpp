@@ -1,0 +1,162 @@
+#include "wavecurve/dynamics/modal/oscillator.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "wavecurve/dynamics/modal/exponential_difference.hpp"
+
+namespace wavecurve::dynamics {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+void check(const Oscillator& oscillator, double t) {
+  const auto demand = [](bool condition, const char* name, double value, const char* bound) {
+    if (condition) return;
+    throw std::invalid_argument(std::string("oscillator: ") + name + " is " +
+                                std::to_string(value) + ", but must be finite and " + bound);
+  };
+  demand(oscillator.rho >= 0 && std::isfinite(oscillator.rho), "rho", oscillator.rho, "at least 0");
+  demand(oscillator.c >= 0 && std::isfinite(oscillator.c), "c", oscillator.c, "at least 0");
+  demand(oscillator.k >= 0 && std::isfinite(oscillator.k), "k", oscillator.k, "at least 0");
+  demand(t >= 0 && std::isfinite(t), "t", t, "at least 0");
+  demand(oscillator.rho > 0 || oscillator.c > 0, "c", oscillator.c, "above 0 where rho is 0");
+}
+
+/// Without mass: c q' + k q = f.
+Propagator relaxation(const Oscillator& oscillator, double t) {
+  const double rate = -oscillator.k / oscillator.c;
+  Propagator p;
+  p.qq = std::exp(rate * t);
+  p.qv = p.vv = 0;
+  p.vq = rate * p.qq;
+  p.qf = t * phi_function(1, rate * t) / oscillator.c;
+  p.vf = p.qq / oscillator.c;
+  return p;
+}
+
+/// Below the critical damping, after more than about a radian: there nothing cancels in the
+/// formulas as they stand.
+Propagator oscillation(const Oscillator& oscillator, double decay, double omega, double t) {
+  const double fading = decay == 0 ? 1 : std::exp(-decay * t);
+  Propagator p;
+  p.qv = fading * std::sin(omega * t) / omega;
+  const double even = fading * std::cos(omega * t);
+  p.qq = even + decay * p.qv;
+  p.vv = even - decay * p.qv;
+  p.vq = -oscillator.k / oscillator.rho * p.qv;
+  p.qf = (1 - p.qq) / oscillator.k;
+  p.vf = p.qv / oscillator.rho;
+  return p;
+}
+
+/// Divided differences exp[x, y, 0, ..., 0] with 0 .. 3 zeros, x and y real or conjugate, |x| <=
+/// |y|.
+std::array<double, 4> zero_differences(Complex x, Complex y) {
+  const double sum = (x + y).real(), product = (x * y).real();
+  std::array<double, 4> d = {};
+  if (std::abs(y) <= 1) {
+    // sum_n h_n / (n + m + 1)!, h_n the complete homogeneous polynomials, |h_n| <= n + 1.
+    double h = 1, last = 0, factorial = 1;
+    for (int n = 0; n <= 20; ++n) {
+      factorial *= n + 1;
+      double divisor = factorial;
+      for (int m = 0; m < 4; ++m) {
+        d[static_cast<std::size_t>(m)] += h / divisor;
+        divisor *= n + m + 2;
+      }
+      const double next = sum * h - product * last;
+      last = h;
+      h = next;
+    }
+    return d;
+  }
+  if (y.imag() == 0 && std::abs(y) >= 2 * std::abs(x)) {
+    for (int m = 0; m < 4; ++m) {
+      d[static_cast<std::size_t>(m)] =
+          (phi_function(m, x.real()) - phi_function(m, y.real())) / (x - y).real();
+    }
+    return d;
+  }
+  // d_m solves q'' - sum q' + product q = t^(m - 1) / (m - 1)! at time 1, its derivative is
+  // d_{m-1}.
+  d[0] = exponential_difference(x, y).real();
+  const double before = (std::exp(y) + x * exponential_difference(x, y)).real();
+  d[1] = (1 + sum * d[0] - before) / product;
+  d[2] = (1 + sum * d[1] - d[0]) / product;
+  d[3] = (0.5 + sum * d[2] - d[1]) / product;
+  return d;
+}
+
+}  // namespace
+
+Roots roots(const Oscillator& oscillator) {
+  const double decay = oscillator.c / (2 * oscillator.rho);
+  const double frequency = std::sqrt(oscillator.k / oscillator.rho);
+  // As a product, decay^2 - frequency^2 does not cancel beyond the difference of its factors.
+  const double discriminant = (decay - frequency) * (decay + frequency);
+  if (discriminant < 0) {
+    const double omega = std::sqrt(-discriminant);
+    return {{-decay, omega}, {-decay, -omega}};
+  }
+  const double fast = -(decay + std::sqrt(discriminant));
+  // Vieta: the sum would cancel. Without damping and stiffness both roots are zero.
+  return {fast == 0 ? 0 : frequency * frequency / fast, fast};
+}
+
+Propagator propagator(const Oscillator& oscillator, double t) {
+  check(oscillator, t);
+  if (oscillator.rho == 0) return relaxation(oscillator, t);
+  if (t == 0) return {};
+  const auto [slow, fast] = roots(oscillator);
+  if (slow.imag() * t > 1) return oscillation(oscillator, -slow.real(), slow.imag(), t);
+  // The response to an impulse, t exp[slow t, fast t]; of real roots, or of a conjugate pair, it is
+  // real, and so are the others.
+  const Complex impulse = t * exponential_difference(slow * t, fast * t);
+  Propagator p;
+  p.qq = (std::exp(slow * t) - slow * impulse).real();
+  p.qv = impulse.real();
+  p.vq = -(slow * fast * impulse).real();
+  p.vv = (std::exp(fast * t) + slow * impulse).real();
+  p.qf = (t * t * exponential_difference(slow * t, fast * t, 0)).real() / oscillator.rho;
+  p.vf = p.qv / oscillator.rho;
+  return p;
+}
+
+HarmonicResponse harmonic_response(const Oscillator& oscillator, double omega, double t) {
+  check(oscillator, t);
+  const Complex force = {0, omega};
+  if (oscillator.rho == 0) {
+    const double rate = -oscillator.k / oscillator.c;
+    const Complex q = t * exponential_difference(rate * t, force * t) / oscillator.c;
+    return {q, rate * q + std::exp(force * t) / oscillator.c};
+  }
+  const auto [slow, fast] = roots(oscillator);
+  const Complex q = t * t * exponential_difference(slow * t, fast * t, force * t) / oscillator.rho;
+  // q' + (-slow) q is the response of the first-order factor alone, t exp[fast t, i omega t].
+  const Complex v = slow * q + t * exponential_difference(fast * t, force * t) / oscillator.rho;
+  return {q, v};
+}
+
+RampResponse ramp_response(const Oscillator& oscillator, double h) {
+  check(oscillator, h);
+  RampResponse response;
+  if (oscillator.rho == 0) {
+    const double rate = -oscillator.k / oscillator.c;
+    for (int k = 0; k < 3; ++k) {
+      response.q[static_cast<std::size_t>(k)] = h * phi_function(k + 1, rate * h) / oscillator.c;
+    }
+    return response;
+  }
+  const auto [slow, fast] = roots(oscillator);
+  const std::array<double, 4> differences = zero_differences(slow * h, fast * h);
+  for (std::size_t k = 0; k < 3; ++k) {
+    response.q[k] = h * h * differences[k + 1] / oscillator.rho;
+    response.v[k] = h * differences[k] / oscillator.rho;
+  }
+  return response;
+}
+
+}  // namespace wavecurve::dynamics

@@ -1,0 +1,145 @@
+#include "wavecurve/io/animations/animated_svg.hpp"
+
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/io/animations/animation_sheet.hpp"
+#include "wavecurve/io/animations/animation_test.hpp"
+#include "wavecurve/io/animations/control_points.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> result;
+  for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) {
+    result.push_back((*match)[1]);
+  }
+  return result;
+}
+
+/// The numbers of path data, and its letters.
+std::vector<double> numbers(const std::string& path) {
+  std::istringstream stream(std::regex_replace(path, std::regex("[A-Za-z]"), " "));
+  return {std::istream_iterator<double>(stream), {}};
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ';');) parts.push_back(part);
+  return parts;
+}
+
+TEST(AnimatedSvg, ValuesAreTheKeysToTheStatedAccuracy) {
+  const motion::Animation animation = sample_animation();
+  const auto tracks =
+      matches(animated_svg(animation), "attributeName=\"d\"[^>]* values=\"([^\"]*)\"");
+  ASSERT_EQ(tracks.size(), 3U);
+  for (std::size_t layer = 0; layer < 2; ++layer) {
+    const std::vector<std::string> values = split(tracks[layer]);
+    ASSERT_EQ(values.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::size_t i = 0;
+      const std::vector<double> written = numbers(values[k]);
+      for (const Contour& contour : animation.layers[layer].outline[k].contours) {
+        for (Eigen::Index row = 0; row < contour.rows(); ++row) {
+          // 1e-4 of a box of 100 asks for two places.
+          EXPECT_NEAR(written.at(i++), contour(row, 0), 0.005 + 1e-9);
+          EXPECT_NEAR(written.at(i++), contour(row, 1), 0.005 + 1e-9);
+        }
+      }
+      EXPECT_EQ(i, written.size());
+    }
+  }
+}
+
+TEST(AnimatedSvg, ValuesOfATrackHaveTheSameCommands) {
+  for (double tolerance : {0.0, 0.02}) {
+    OutputOptions options;
+    options.tolerance = tolerance;
+    for (const std::string& track : matches(animated_svg(sample_animation(), options),
+                                            "attributeName=\"d\"[^>]* values=\"([^\"]*)\"")) {
+      const std::vector<std::string> values = split(track);
+      for (const std::string& value : values) {
+        const std::regex no_letter("[^A-Za-z]");
+        EXPECT_EQ(numbers(value).size(), numbers(values[0]).size());
+        EXPECT_EQ(std::regex_replace(value, no_letter, ""),
+                  std::regex_replace(values[0], no_letter, ""));
+      }
+    }
+  }
+}
+
+TEST(AnimatedSvg, TimesRunFromZeroToOne) {
+  const auto times = matches(animated_svg(sample_animation()), "keyTimes=\"([^\"]*)\"");
+  EXPECT_EQ(times.back(), "0;0.25;0.75;1");
+  for (const std::string& list : times) {
+    EXPECT_EQ(split(list).front(), "0");
+    EXPECT_EQ(split(list).back(), "1");
+  }
+}
+
+TEST(AnimatedSvg, RepeatsOnRequestOrStaysAtItsEnd) {
+  OutputOptions options;
+  const std::string once = animated_svg(sample_animation(), options);
+  options.loop = true;
+  const std::string always = animated_svg(sample_animation(), options);
+  EXPECT_NE(once.find("fill=\"freeze\""), std::string::npos);
+  EXPECT_EQ(once.find("repeatCount"), std::string::npos);
+  EXPECT_NE(always.find("repeatCount=\"indefinite\""), std::string::npos);
+  EXPECT_EQ(always.find("fill=\"freeze\""), std::string::npos);
+}
+
+TEST(AnimatedSvg, AnimatesPaintsOnlyWhereTheyChangeAndEscapesIds) {
+  const std::string svg = animated_svg(sample_animation());
+  EXPECT_EQ(matches(svg, "attributeName=\"(fill)\"").size(), 1U);
+  EXPECT_EQ(matches(svg, "attributeName=\"(fill-opacity)\"").size(), 1U);
+  EXPECT_EQ(matches(svg, "attributeName=\"(stroke-width)\"").size(), 1U);
+  EXPECT_NE(svg.find("values=\"#ffcc33;#4d99ff\""), std::string::npos);
+  EXPECT_NE(svg.find("id=\"&lt;ring&gt; &amp; &quot;hole&quot;\""), std::string::npos);
+}
+
+TEST(AnimatedSvg, IsTheSameEachTime) {
+  EXPECT_EQ(animated_svg(sample_animation()), animated_svg(sample_animation()));
+}
+
+TEST(AnimationSheet, ShowsTheFramesInReadingOrder) {
+  OutputOptions options;
+  options.frames = 5;
+  const motion::Animation animation = sample_animation();
+  const std::string sheet = animation_sheet(animation, options);
+  EXPECT_EQ(matches(sheet, "τ = ([0-9.]+)<"),
+            (std::vector<std::string>{"0", "0.25", "0.5", "0.75", "1"}));
+  const auto paths = matches(sheet, " d=\"([^\"]*)\"");
+  ASSERT_EQ(paths.size(), 15U);
+  const Decimals decimals = Decimals::for_box(animation.view_box, options.accuracy);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const motion::FrameLayer face = motion::frame_at(animation, 0.5 * static_cast<double>(i))[0];
+    EXPECT_EQ(paths[3 * i], path_data(face.contours, false, decimals)) << i;
+  }
+}
+
+TEST(Decimals, AreShortAndRounded) {
+  const Decimals decimals(3);
+  EXPECT_EQ(decimals.text(0), "0");
+  EXPECT_EQ(decimals.text(-0.0001), "0");
+  EXPECT_EQ(decimals.text(0.05), "0.05");
+  EXPECT_EQ(decimals.text(-12.5), "-12.5");
+  EXPECT_EQ(decimals.text(1.9996), "2");
+  EXPECT_EQ(decimals.text(120), "120");
+  EXPECT_EQ(decimals.text(0.1234), "0.123");
+  EXPECT_EQ(decimals.text(1e18), "1000000000000000000.000");
+  EXPECT_EQ(Decimals(0).text(20.4), "20");
+  EXPECT_EQ(Decimals::for_box({0, 0, 100, 20}, 1e-4).places(), 2);
+  EXPECT_EQ(Decimals::for_box({0, 0, 24, 32}, 1e-4).places(), 3);
+  EXPECT_EQ(Decimals::for_box({0, 0, 1e9, 1}, 1e-4).places(), 0);
+}
+
+}  // namespace
+}  // namespace wavecurve::io

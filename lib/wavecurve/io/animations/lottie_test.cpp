@@ -1,0 +1,164 @@
+#include "wavecurve/io/animations/lottie.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <rlottie_capi.h>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/io/animations/animation_test.hpp"
+#include "wavecurve/io/animations/raster.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+using Json = nlohmann::json;
+
+OutputOptions options_with(double tolerance) {
+  OutputOptions options;
+  options.frames = 61;
+  options.pixels = 500;
+  options.tolerance = tolerance;
+  return options;
+}
+
+/// The items of a layer's group that are of a type.
+std::vector<Json> items(const Json& layer, const std::string& type) {
+  std::vector<Json> result;
+  for (const Json& item : layer["shapes"][0]["it"]) {
+    if (item["ty"] == type) result.push_back(item);
+  }
+  return result;
+}
+
+/// What a player paints on white paper: 255 minus red, green and blue, pixel by pixel.
+using Ink = std::vector<double>;
+
+Ink ink_of(const Raster& raster) {
+  Ink ink;
+  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      ink.push_back(raster.rgba[i + 3] / 255.0 * (255 - raster.rgba[i + c]));
+    }
+  }
+  return ink;
+}
+
+Ink rlottie_ink(const std::string& json, std::size_t frame, std::size_t width, std::size_t height) {
+  const std::unique_ptr<Lottie_Animation, decltype(&lottie_animation_destroy)> animation(
+      lottie_animation_from_data(json.c_str(),
+                                 std::to_string(std::hash<std::string>{}(json)).c_str(), ""),
+      &lottie_animation_destroy);
+  if (!animation) throw std::runtime_error("rlottie does not read this");
+  EXPECT_EQ(lottie_animation_get_totalframe(animation.get()), 61U);
+  EXPECT_NEAR(lottie_animation_get_framerate(animation.get()), 30, 1e-6);
+  std::vector<std::uint32_t> pixels(width * height);
+  lottie_animation_render(animation.get(), frame, pixels.data(), width, height, 4 * width);
+  Ink ink;
+  for (const std::uint32_t pixel : pixels) {  // components are multiplied by the opacity
+    const double alpha = pixel >> 24;
+    for (int shift : {16, 8, 0}) ink.push_back(alpha - (pixel >> shift & 255));
+  }
+  return ink;
+}
+
+double intersection_over_union(const Ink& a, const Ink& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double lesser = 0, greater = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    lesser += std::min(a[i], b[i]);
+    greater += std::max(a[i], b[i]);
+  }
+  return lesser / greater;
+}
+
+TEST(Lottie, RlottieShowsWhatOurRasterShows) {
+  const motion::Animation animation = sample_animation();
+  for (double tolerance : {0.0, 0.02}) {
+    const std::string json = lottie(animation, options_with(tolerance));
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+      const auto frame = static_cast<std::size_t>(15 * quarter);
+      const Raster own =
+          render(motion::frame_at(animation, quarter / 2.0), animation.view_box, {500, 400});
+      const double overlap =
+          intersection_over_union(rlottie_ink(json, frame, 500, 400), ink_of(own));
+      EXPECT_GE(overlap, 0.99) << "tolerance " << tolerance << ", frame " << frame;
+      RecordProperty("overlap", std::to_string(overlap));
+    }
+  }
+}
+
+TEST(Lottie, LinearMotionHasTwoKeysAndWhatRestsHasNone) {
+  const Json json = Json::parse(lottie(sample_animation(), options_with(0.02)));
+  EXPECT_EQ(json["op"], 61);
+  EXPECT_EQ(json["fr"], 30);
+  EXPECT_EQ(json["w"], 500);
+  EXPECT_EQ(json["h"], 400);
+  ASSERT_EQ(json["layers"].size(), 3U);
+  const Json& ring = json["layers"][1];
+  EXPECT_EQ(ring["nm"], "<ring> & \"hole\"");
+  ASSERT_EQ(items(ring, "sh").size(), 2U);
+  for (const Json& shape : items(ring, "sh")) EXPECT_EQ(shape["ks"]["k"].size(), 2U);
+  EXPECT_EQ(items(ring, "fl")[0]["c"]["a"], 0);
+  EXPECT_EQ(items(ring, "fl")[0]["r"], 2);
+  EXPECT_EQ(items(ring, "fl")[0]["o"]["k"][1]["s"], Json({50}));
+  const Json& line = json["layers"][0];  // the uppermost comes first
+  EXPECT_EQ(items(line, "fl").size(), 0U);
+  EXPECT_EQ(items(line, "st")[0]["w"]["k"], 15);
+  EXPECT_EQ(items(line, "sh")[0]["ks"]["k"][0]["t"], 15);
+}
+
+TEST(Lottie, AllKeysOfAShapeHaveTheSameNumberOfVertices) {
+  for (double tolerance : {0.0, 0.5, 0.001}) {
+    const Json json = Json::parse(lottie(sample_animation(), options_with(tolerance)));
+    for (const Json& layer : json["layers"]) {
+      for (const Json& shape : items(layer, "sh")) {
+        const std::size_t vertices = shape["ks"]["k"][0]["s"][0]["v"].size();
+        for (const Json& key : shape["ks"]["k"]) {
+          for (const char* part : {"v", "i", "o"}) {
+            EXPECT_EQ(key["s"][0][part].size(), vertices) << layer["nm"];
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Lottie, VerticesAreThePointsToTheStatedAccuracy) {
+  const motion::Animation animation = sample_animation();
+  const Json json = Json::parse(lottie(animation, options_with(0)));
+  const Contour& points = animation.layers[0].outline[1].contours[0];
+  const Json vertices = items(json["layers"][2], "sh")[0]["ks"]["k"][1]["s"][0]["v"];
+  ASSERT_EQ(vertices.size(), 256U);
+  // 1e-4 of 500 pixels asks for two places, so half of 0.01 is the largest rounding.
+  for (Eigen::Index i = 0; i < 256; ++i) {
+    const Json& vertex = vertices[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(vertex[0].get<double>(), 5 * (points(i, 0) + 10), 0.005 + 1e-9);
+    EXPECT_NEAR(vertex[1].get<double>(), 5 * (points(i, 1) - 5), 0.005 + 1e-9);
+  }
+}
+
+TEST(Lottie, RefusesUnequalVertexCountsAndNamesTheLayer) {
+  motion::Animation animation = sample_animation();
+  animation.layers[1].outline[1].contours[1] = flower(0, 0, 1, 63);
+  for (double tolerance : {0.0, 0.02}) {
+    try {
+      lottie(animation, options_with(tolerance));
+      FAIL();
+    } catch (const std::invalid_argument& error) {
+      EXPECT_STREQ(error.what(),
+                   "layer '<ring> & \"hole\"': contour 1 has 64 points in key 0 and 63 in key 1");
+    }
+  }
+  OutputOptions one;
+  one.frames = 1;
+  EXPECT_THROW(lottie(sample_animation(), one), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wavecurve::io

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "wavecurve/io/animations/output_options.hpp"
+#include "wavecurve/motion/morph/morph.hpp"
+
+namespace wavecurve::io {
+
+/// Writes an animation in the format of the path's ending: .svg (animated), .json (Lottie), .html
+/// (a player), .gif, .mp4, .webm (by the ffmpeg program), .png (a folder of that name, of frames
+/// frame-0001.png, ...). Throws std::invalid_argument for another ending, as check_animation does,
+/// and std::system_error where the file cannot be written or ffmpeg is missing; what was there
+/// before is then as it was.
+void write_animation(const std::filesystem::path& path, const motion::Animation& animation,
+                     const OutputOptions& options = {});
+
+/// The same for a morph, whose .html lets the viewer choose the scale.
+void write_animation(const std::filesystem::path& path, const motion::Morph& morph,
+                     const OutputOptions& options = {});
+
+}  // namespace wavecurve::io

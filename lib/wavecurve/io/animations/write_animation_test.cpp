@@ -1,0 +1,197 @@
+#include "wavecurve/io/animations/write_animation.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/io/animations/animation_test.hpp"
+#include "wavecurve/io/animations/html_player.hpp"
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WriteAnimation : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_);
+    options_.frames = 4;
+    options_.pixels = 64;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::size_t entries(const fs::path& folder) const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+  }
+  void write(const fs::path& path) const { write_animation(path, sample_animation(), options_); }
+
+  fs::path folder_ =
+      fs::temp_directory_path() / ("wavecurve write animation " + std::to_string(::getpid()));
+  OutputOptions options_;
+};
+
+const char* const endings[] = {".svg", ".json", ".html", ".gif", ".mp4", ".webm", ".png"};
+
+TEST_F(WriteAnimation, WritesEveryFormatTwiceTheSame) {
+  const std::pair<std::string, std::string> beginnings[] = {
+      {".svg", "<svg"}, {".json", "{"}, {".html", "<!doctype html>"}, {".gif", "GIF89a"}};
+  for (const std::string ending : endings) {
+    const fs::path path = folder_ / ("a" + ending);
+    if (ending == ".png") continue;
+    write(path);
+    const std::string first = read_file(path);
+    for (const auto& [name, beginning] : beginnings) {
+      if (name != ending) continue;
+      EXPECT_EQ(first.substr(0, beginning.size()), beginning);
+    }
+    EXPECT_GT(first.size(), 500U) << ending;
+    write(path);
+    EXPECT_EQ(read_file(path), first) << ending;
+  }
+  EXPECT_EQ(entries(folder_), 6U);
+}
+
+TEST_F(WriteAnimation, APngIsAFolderOfFrames) {
+  const fs::path path = folder_ / "a.png";
+  int calls = 0;
+  options_.progress = [&](int done, int all) {
+    EXPECT_EQ(done, ++calls);
+    EXPECT_EQ(all, 4);
+  };
+  write(path);
+  EXPECT_EQ(calls, 4);
+  EXPECT_EQ(entries(path), 4U);
+  EXPECT_EQ(read_file(path / "frame-0004.png").substr(1, 3), "PNG");
+  calls = 0;
+  options_.frames = 4;
+  write(path / "");  // a folder of frames is replaced
+  EXPECT_EQ(entries(path), 4U);
+  write_file(path / "letter.txt", "not ours");
+  EXPECT_THROW(write(path), std::system_error);
+  EXPECT_EQ(read_file(path / "letter.txt"), "not ours");
+  EXPECT_EQ(entries(folder_), 1U);
+}
+
+TEST_F(WriteAnimation, FramesDecodeToWhatWasRendered) {
+  write(folder_ / "a.png");
+  write(folder_ / "a.mp4");
+  const std::string probe =
+      "ffprobe -v error -count_frames -show_entries "
+      "stream=width,height,nb_read_frames,pix_fmt -of csv=p=0 '" +
+      (folder_ / "a.mp4").string() + "' >'" + (folder_ / "out").string() + "'";
+  ASSERT_EQ(std::system(probe.c_str()), 0);
+  EXPECT_EQ(read_file(folder_ / "out"), "64,52,yuv420p,4\n");
+}
+
+TEST_F(WriteAnimation, UnwritablePlacesAreReportedAndLeaveNothing) {
+  for (const std::string ending : endings) {
+    EXPECT_THROW(write(folder_ / "missing" / ("a" + ending)), std::system_error) << ending;
+  }
+  EXPECT_EQ(entries(folder_), 0U);
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const std::string ending : endings) {
+    if (ending == ".png") continue;
+    fs::create_symlink("/dev/full", folder_ / ("full" + ending));
+    EXPECT_THROW(write(folder_ / ("full" + ending)), std::system_error) << ending;
+  }
+}
+
+TEST_F(WriteAnimation, WithoutFfmpegAVideoIsOneClearLine) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  try {
+    write(folder_ / "a.mp4");
+    ADD_FAILURE();
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot run ffmpeg"), std::string::npos);
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(entries(folder_), 0U);
+}
+
+TEST_F(WriteAnimation, AnFfmpegThatFailsIsQuoted) {
+  std::ofstream(folder_ / "ffmpeg") << "#!/bin/sh\necho 'no such codec' >&2\nexit 1\n";
+  fs::permissions(folder_ / "ffmpeg", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder_.string() + ":" + path).c_str(), 1);
+  try {
+    write(folder_ / "a.webm");
+    ADD_FAILURE();
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no such codec"), std::string::npos) << error.what();
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(entries(folder_), 1U);
+}
+
+TEST_F(WriteAnimation, AnotherEndingIsRefusedWithTheKnownOnes) {
+  for (const char* name : {"a.avi", "a", ".svg"}) {
+    try {
+      write(folder_ / name);
+      ADD_FAILURE() << name;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(".svg .json .html .gif .mp4 .webm .png"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST_F(WriteAnimation, AMorphThatLoopsGoesThereAndBack) {
+  options_.loop = true;
+  write_animation(folder_ / "a.json", sample_morph(motion::Detail::blend), options_);
+  const nlohmann::json json = nlohmann::json::parse(read_file(folder_ / "a.json"));
+  EXPECT_EQ(json["op"], 7);
+  const auto keys = json["layers"][0]["shapes"][0]["it"][0]["ks"]["k"];
+  ASSERT_EQ(keys.size(), 3U);
+  EXPECT_EQ(keys[0]["s"], keys[2]["s"]);
+}
+
+/// The data of a page.
+nlohmann::json data_of(const std::string& html) {
+  const std::string mark = "id=\"animation\">";
+  const std::size_t start = html.find(mark) + mark.size();
+  return nlohmann::json::parse(html.substr(start, html.find("</script>", start) - start));
+}
+
+TEST(HtmlPlayer, HoldsTheCoefficientsAndTheTaps) {
+  const motion::Morph morph = sample_morph(motion::Detail::stage);
+  const nlohmann::json data = data_of(html_player(morph));
+  EXPECT_EQ(data["detail"], "stage");
+  EXPECT_EQ(data["levels"], 4);
+  EXPECT_EQ(data["bank"]["low"]["taps"].get<std::vector<double>>(), morph.bank.synthesis_low.taps);
+  EXPECT_EQ(data["bank"]["high"]["first"], morph.bank.synthesis_high.first_index);
+  const nlohmann::json layer = data["layers"][1];
+  EXPECT_EQ(layer["scale"], 32);
+  const auto source = layer["contours"][0]["source"].get<std::vector<double>>();
+  const Contour& expected = morph.layers[1].contours[0].source;
+  ASSERT_EQ(source.size(), 512U);
+  // 1e-5 of a box of 100 asks for three places.
+  for (Eigen::Index i = 0; i < 512; ++i) {
+    EXPECT_NEAR(source[static_cast<std::size_t>(i)], expected(i / 2, i % 2), 0.0005 + 1e-9);
+  }
+}
+
+TEST(HtmlPlayer, LoadsNothingAndIsNotBrokenByText) {
+  motion::Animation animation = sample_animation();
+  animation.layers[0].id = "</script><script>alert(1)</script>{{data}}";
+  OutputOptions options;
+  options.title = "a < b";
+  const std::string html = html_player(animation, options);
+  EXPECT_EQ(data_of(html)["layers"][0]["id"], animation.layers[0].id);
+  EXPECT_NE(html.find("<title>a &lt; b</title>"), std::string::npos);
+  for (const char* network : {"src=", "href=", "https:", "url("}) {
+    EXPECT_EQ(html.find(network), std::string::npos) << network;
+  }
+}
+
+}  // namespace
+}  // namespace wavecurve::io

@@ -1,0 +1,103 @@
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
+#include "wavecurve/io/filter_json.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+  fs::path folder_ =
+      fs::temp_directory_path() /
+      ("wavecurve-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
+       std::to_string(::getpid()));
+};
+
+TEST_F(Files, WriteReplacesTheWholeFileAndLeavesNothingBeside) {
+  const fs::path path = folder_ / "a.txt";
+  write_file(path, "first, and long");
+  write_file(path, std::string("se\0cond", 7));
+  EXPECT_EQ(read_file(path), std::string("se\0cond", 7));
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, AFailedWriteKeepsTheOldFile) {
+  const fs::path path = folder_ / "missing" / "a.txt";
+  EXPECT_THROW(write_file(path, "x"), std::system_error);
+  EXPECT_THROW(write_file(folder_, "x"), std::system_error);
+  EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(Files, AFullDeviceIsReported) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  try {
+    write_file("/dev/full", "x");
+    FAIL();
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ENOSPC);
+  }
+}
+
+TEST_F(Files, AWriteThroughALinkKeepsTheLink) {
+  write_file(folder_ / "target", "old");
+  fs::create_symlink(folder_ / "target", folder_ / "link");
+  write_file(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(read_file(folder_ / "target"), "new");
+}
+
+TEST_F(Files, ReadNamesWhatItCannotRead) {
+  EXPECT_THROW(read_file(folder_ / "nothing"), std::invalid_argument);
+  EXPECT_THROW(read_file(folder_), std::invalid_argument);
+}
+
+TEST_F(Files, FilterJsonIsReadInBothForms) {
+  const fs::path path = folder_ / "mine.json";
+  write_file(path, R"({"taps": ["0.70710678118654752440", 0.5], "first_index": -1})");
+  const UserFilter own = read_filter_json(path);
+  EXPECT_EQ(own.name, "mine");
+  EXPECT_EQ(own.taps.first_index, -1);
+  EXPECT_EQ(own.taps.taps, (std::vector<std::string>{"0.70710678118654752440", "0.5"}));
+  EXPECT_FALSE(own.dual.has_value());
+  write_file(path, R"({"filter": "x", "analysis_low": {"first_index": 1, "taps": ["1"]},
+                       "synthesis_low": {"first_index": 2, "taps": ["2"]}})");
+  const UserFilter printed = read_filter_json(path);
+  EXPECT_EQ(printed.name, "x");
+  EXPECT_EQ(printed.taps.first_index, 2);
+  EXPECT_EQ(printed.dual->taps.front(), "1");
+}
+
+TEST_F(Files, BadFilterJsonIsOneClearLine) {
+  const fs::path path = folder_ / "bad.json";
+  for (const char* text : {"", "{", "[]", "3", "{}", R"({"taps": 3})", R"({"taps": [null]})",
+                           R"({"taps": ["1"], "first_index": 1.5})", R"({"taps": ["1"], "sum": 3})",
+                           R"({"taps": ["1"], "first_index": 99999999999})", "\x00\xff\xfe"}) {
+    write_file(path, text);
+    try {
+      read_filter_json(path);
+      FAIL() << text;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("bad.json"), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wavecurve::io

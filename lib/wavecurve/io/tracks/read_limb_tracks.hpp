@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wavecurve/motion/gait/record/limb_tracks.hpp"
+
+namespace wavecurve::io {
+
+/// Which way y points in a file.
+enum class YAxis { detected, down, up };
+
+struct TrackOptions {
+  std::vector<std::string> limbs{};  ///< those that are read; none: all that are there
+  Eigen::Index samples = 0;        ///< points of an outline, a power of two; 0: as the file has it
+  double thickness = 0.12;         ///< of skinned limbs, as a share of the length of their joints
+  YAxis y_axis = YAxis::detected;  ///< of tables; in SVG it points down
+};
+
+/// Reads the traced limbs of an animal: from one table, from SVG frames in the order given, or from
+/// a folder of SVG frames, which are ordered by the numbers in their names.
+///
+/// Tables, `.csv` or `.csv.gz`, have a header and a line a point, in any order of columns:
+///   frame, limb or contour, k, x, y       point k = 0, 1, ... of the outline of a limb
+///   frame, limb, joint, x, y              joints from the body to the toe, skinned (skin_joints)
+/// and, if they like, t, the time of the frame. A unit may follow a name, as in y_m. Of
+/// x_treadmill, x and x_world the first that is there is read; a column `visible` and others are
+/// not. Without t, frames are evenly spaced, and their numbers are the times.
+///
+/// SVG frames hold a layer a limb, whose id is its name, and are times 0, 1, ... Of a layer with
+/// several subpaths the largest is the outline.
+///
+/// What comes out is in the frame of the body (take_out_travel, for joints without x_treadmill), y
+/// points down (y_points_up detects it), and outlines are clockwise as seen. Where the number of
+/// points is no power of two, differs between frames, or the first point jumps, they are sampled
+/// anew and the first point is tracked (track_outlines); otherwise they stay as they are.
+///
+/// Throws std::invalid_argument naming the file, the line, the value and the bound: for a limb, a
+/// frame, a point or a joint that is not everywhere, fewer than two frames, times that do not
+/// increase, outlines of fewer than 4 points, and what is no finite number within +-1e9. Files of
+/// at most 256 MiB, unpacked, are read. Throws std::system_error if reading fails.
+gait::LimbTracks read_limb_tracks(const std::vector<std::filesystem::path>& paths,
+                                  const TrackOptions& options = {});
+
+}  // namespace wavecurve::io

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wavecurve/motion/morph/morph.hpp"
+
+namespace wavecurve::motion {
+
+/// The proper crossings of a layer's contours, each with itself and with the others, at each of the
+/// normalised times tau. A stroke that is run through there and back counts once, by itself.
+std::vector<Eigen::Index> crossings(const Morph& morph, const MorphLayer& layer,
+                                    const std::vector<double>& taus);
+
+/// What was chosen for a layer: its scale, which of the alternatives its correspondence is from,
+/// and how many crossings are left at all times together.
+struct ScaleChoice {
+  std::string layer;
+  Eigen::Index scale = 0;
+  std::size_t alternative = 0;
+  Eigen::Index crossings = 0;
+};
+
+struct ChosenMorph {
+  Morph morph;
+  std::vector<ScaleChoice> choices;  ///< one a layer
+};
+
+/// For each layer the finest scale, from its own on, that has no crossing at the times, of the
+/// first of the alternatives where one has none; failing that, the fewest crossings, so never more
+/// than the first alternative has as it is. The alternatives are morphs of the same layers in the
+/// same order with different correspondences.
+///
+/// With Detail::stage, details fade in frames that move already; where crossings are left, the
+/// share of the time that they take is halved, up to five times. With Detail::blend all scales give
+/// the same frames, so only the correspondence is chosen.
+/// `progress` is called with the layers done and those there are.
+/// Throws std::invalid_argument unless there is an alternative, and as animate does.
+ChosenMorph avoid_crossings(const std::vector<Morph>& alternatives, const std::vector<double>& taus,
+                            const std::function<void(std::size_t, std::size_t)>& progress = {});
+
+}  // namespace wavecurve::motion

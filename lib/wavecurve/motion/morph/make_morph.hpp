@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wavecurve/curves/correspondence.hpp"
+#include "wavecurve/curves/drawing.hpp"
+#include "wavecurve/motion/morph/match_layers.hpp"
+#include "wavecurve/motion/morph/morph.hpp"
+
+namespace wavecurve::motion {
+
+struct MorphOptions {
+  FilterBank<double> bank;
+  Eigen::Index samples = 1024;          ///< points a contour, a power of two
+  std::optional<Eigen::Index> scale{};  ///< control points that are interpolated; none: all
+  Detail detail = Detail::blend;
+  double stage_share = 0.25;  ///< of the duration, see Morph
+  double duration = 2;        ///< seconds
+  Rotation rotation = Rotation::kept;
+  LayerMap map{};
+  /// By id of the source's layer: the point of the destination's contours that is their first,
+  /// instead of the one that correspondence finds.
+  std::vector<std::pair<std::string, Eigen::Index>> starts{};
+};
+
+/// The morph of one drawing into another. The view box is the source's; the destination is scaled
+/// uniformly to fit it, as a player fits it to the screen. Layers are matched by match_layers and
+/// their contours by pair_contours; a layer of one drawing alone grows from or shrinks to a point
+/// of what lies there in the other. Contours are sampled by arc length, filled ones close, and
+/// transformed down to four control points.
+/// Throws std::invalid_argument for samples that are no power of two, 4 .. 2^24, a map or a start
+/// that fits no layer, and a drawing without layers.
+Morph make_morph(const Drawing& source, const Drawing& destination, const MorphOptions& options);
+
+}  // namespace wavecurve::motion

@@ -1,0 +1,147 @@
+#include "wavecurve/motion/morph/make_morph.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/motion/check_animation.hpp"
+
+namespace wavecurve::motion {
+namespace {
+
+using Eigen::Index;
+
+Subpath rectangle(double x, double y, double width, double height) {
+  Contour points(4, 2);
+  points << x, y, x + width, y, x + width, y + height, x, y + height;
+  return polygon(points);
+}
+
+Layer layer(const std::string& id, std::vector<Subpath> subpaths, Colour fill) {
+  Layer result{id, std::move(subpaths), {}};
+  result.paint.fill = fill;
+  return result;
+}
+
+/// A face with a patch that has a hole, and a mouth.
+Drawing first() {
+  Layer patch = layer("patch", {rectangle(2, 2, 3, 3), rectangle(3, 3, 1, 1)}, {1, 0, 0});
+  patch.paint.fill_rule = FillRule::evenodd;
+  return {{0, 0, 10, 10},
+          {layer("face", {rectangle(1, 1, 8, 8)}, {1, 1, 0}), patch,
+           layer("mouth", {rectangle(4, 7, 2, 1)}, {0, 0, 0})}};
+}
+
+/// Twice as large; the patch without its hole and in two pieces, and a hat for the mouth.
+Drawing second() {
+  return {{0, 0, 20, 20},
+          {layer("face", {rectangle(4, 4, 14, 14)}, {0, 1, 1}),
+           layer("patch", {rectangle(6, 6, 4, 4), rectangle(12, 6, 4, 4)}, {0, 0, 1}),
+           layer("mouth", {rectangle(8, 13, 4, 2)}, {0, 0, 0}),
+           layer("hat", {rectangle(6, 1, 8, 3)}, {0, 0, 0})}};
+}
+
+MorphOptions options() { return {.bank = find_filter_bank("db4"), .samples = 64}; }
+
+/// The largest distance of a point of one contour from the nearest of another.
+double distance(const Contour& a, const Contour& b) {
+  double largest = 0;
+  for (Index i = 0; i < a.rows(); ++i) {
+    largest = std::max(largest, (b.rowwise() - a.row(i)).rowwise().norm().minCoeff());
+  }
+  return largest;
+}
+
+// Coordinates up to 20 through two transforms of four levels.
+constexpr double rounding = 1e-12;
+
+TEST(MakeMorph, EndsAreTheDrawings) {
+  const Drawing a = first(), b = second();
+  for (const Detail detail : {Detail::blend, Detail::stage}) {
+    MorphOptions how = options();
+    how.detail = detail;
+    how.scale = 16;
+    const Animation animation = animate(make_morph(a, b, how));
+    check_animation(animation);
+    ASSERT_EQ(animation.layers.size(), 4u);
+    EXPECT_EQ(animation.view_box, a.view_box);
+    const auto start = frame_at(animation, 0), end = frame_at(animation, animation.duration);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(start[i].id, a.layers[i].id);
+      const auto samples = sample_layer(a.layers[i], 64);
+      EXPECT_LT(distance(start[i].contours[0], samples[0]), rounding);
+      EXPECT_EQ(start[i].paint.fill, a.layers[i].paint.fill);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      // The view box of the second is twice as large.
+      const auto samples = sample_layer(b.layers[i], 64);
+      EXPECT_LT(distance(2 * end[i].contours[0], samples[0]), rounding);
+      EXPECT_EQ(end[i].paint.fill, b.layers[i].paint.fill);
+    }
+    EXPECT_LT((start[3].contours[0].rowwise() - start[3].contours[0].row(0)).norm(), rounding);
+  }
+}
+
+TEST(MakeMorph, PiecesGrowAndHolesShrink) {
+  const Animation animation = animate(make_morph(first(), second(), options()));
+  const AnimatedLayer& patch = animation.layers[1];
+  ASSERT_EQ(patch.outline[0].contours.size(),
+            3u);  // a pair, a piece that appears, a hole that goes
+  const auto extent = [&](std::size_t key, std::size_t contour) {
+    const Contour& points = patch.outline[key].contours[contour];
+    return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  };
+  EXPECT_LT(extent(0, 1), rounding);
+  EXPECT_NEAR(extent(1, 1), 2, rounding);
+  EXPECT_NEAR(extent(0, 2), 1, rounding);
+  EXPECT_LT(extent(1, 2), rounding);
+  EXPECT_EQ(patch.paint[0].paint.fill_rule, FillRule::nonzero);
+}
+
+TEST(MakeMorph, AFillOnOneSideFades) {
+  Drawing a = first();
+  a.layers[2].paint.fill.reset();
+  a.layers[2].paint.stroke = Colour{0, 1, 0};
+  const Animation animation = animate(make_morph(a, second(), options()));
+  check_animation(animation);
+  const Paint start = animation.layers[2].paint.front().paint;
+  const Paint end = animation.layers[2].paint.back().paint;
+  EXPECT_EQ(start.fill_opacity, 0);
+  EXPECT_EQ(start.fill, end.fill);
+  EXPECT_EQ(start.stroke_opacity, 1);
+  EXPECT_EQ(end.stroke_opacity, 0);
+}
+
+TEST(MakeMorph, StartsWhereToldTo) {
+  MorphOptions how = options();
+  how.starts = {{"face", 5}};
+  const Animation animation = animate(make_morph(first(), second(), how));
+  const Contour samples = sample_layer(second().layers[0], 64)[0];
+  EXPECT_LT((2 * animation.layers[0].outline[1].contours[0].row(0) - samples.row(5)).norm(),
+            rounding);
+}
+
+TEST(MakeMorph, RefusesWhatDoesNotFit) {
+  const auto refuses = [](auto change, const std::string& text) {
+    MorphOptions how = options();
+    change(how);
+    try {
+      animate(make_morph(first(), second(), how));
+      FAIL() << text;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  refuses([](MorphOptions& how) { how.samples = 100; }, "100");
+  refuses([](MorphOptions& how) { how.scale = 7; }, "7");
+  refuses([](MorphOptions& how) { how.map = {{"face", "nose"}}; }, "'nose'");
+  refuses([](MorphOptions& how) { how.starts = {{"nose", 1}}; }, "nose=1");
+  refuses([](MorphOptions& how) { how.starts = {{"face", 64}}; }, "0 .. 63");
+  EXPECT_THROW(make_morph({}, second(), options()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wavecurve::motion

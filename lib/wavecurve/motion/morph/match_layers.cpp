@@ -1,0 +1,162 @@
+#include "wavecurve/motion/morph/match_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/motion/morph/assignment.hpp"
+#include "wavecurve/motion/morph/painting_order.hpp"
+#include "wavecurve/motion/oklab.hpp"
+
+namespace wavecurve::motion {
+
+namespace {
+
+using Eigen::Index;
+using Layers = std::vector<FrameLayer>;
+using Partners = std::vector<std::optional<std::size_t>>;
+
+/// Of the largest contour, which the others are holes or pieces of.
+const Contour& largest(const std::vector<Contour>& outline) {
+  return *std::max_element(outline.begin(), outline.end(), [](const Contour& a, const Contour& b) {
+    return std::abs(signed_area(a)) < std::abs(signed_area(b));
+  });
+}
+
+double area(const std::vector<Contour>& outline) {
+  double sum = 0;
+  for (const Contour& contour : outline) sum += signed_area(contour);
+  return std::abs(sum);
+}
+
+std::size_t place_of(const Layers& layers, const std::string& id, const char* which) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].id == id) return i;
+  }
+  std::string known;
+  for (const FrameLayer& layer : layers) known += " " + layer.id;
+  throw std::invalid_argument(
+      fmt::format("the {} has no layer '{}'; its layers are{}", which, id, known));
+}
+
+/// The partner of each layer of the source, and of the destination.
+struct Matching {
+  Partners of_source, of_destination;
+
+  bool is_free(std::size_t s, std::size_t d) const { return !of_source[s] && !of_destination[d]; }
+  void match(std::size_t s, std::size_t d) {
+    of_source[s] = d;
+    of_destination[d] = s;
+  }
+};
+
+void match_by_map(const Layers& source, const Layers& destination, const LayerMap& map,
+                  Matching& matching) {
+  for (const auto& [from, to] : map) {
+    const std::size_t s = place_of(source, from, "source");
+    const std::size_t d = place_of(destination, to, "destination");
+    if (!matching.is_free(s, d)) {
+      throw std::invalid_argument(
+          fmt::format("the map {}={} names a layer that another one has named", from, to));
+    }
+    matching.match(s, d);
+  }
+}
+
+/// An id without the number at its end.
+std::string stem(const std::string& id) {
+  const std::size_t end = id.find_last_not_of("0123456789");
+  return end == std::string::npos ? "" : id.substr(0, id.find_last_not_of("-_", end) + 1);
+}
+
+bool is_numbered(const std::string& id) {
+  return !id.empty() && id.back() >= '0' && id.back() <= '9';
+}
+
+/// The ids, empty where they are mere numbers: they tell the place in the file, not what a layer
+/// is.
+std::vector<std::string> names(const Layers& layers) {
+  static const std::set<std::string> elements{"path", "rect",     "circle", "ellipse",
+                                              "line", "polyline", "polygon"};
+  const bool all_numbered = std::all_of(layers.begin(), layers.end(), [&](const auto& layer) {
+    return is_numbered(layer.id) && stem(layer.id) == stem(layers.front().id);
+  });
+  std::vector<std::string> result;
+  for (const FrameLayer& layer : layers) {
+    const bool is_number =
+        all_numbered || (is_numbered(layer.id) && elements.contains(stem(layer.id)));
+    result.push_back(is_number ? "" : layer.id);
+  }
+  return result;
+}
+
+void match_by_name(const Layers& source, const Layers& destination, Matching& matching) {
+  const auto source_names = names(source), destination_names = names(destination);
+  for (std::size_t s = 0; s < source.size(); ++s) {
+    if (source_names[s].empty()) continue;
+    for (std::size_t d = 0; d < destination.size(); ++d) {
+      if (source_names[s] == destination_names[d] && matching.is_free(s, d)) matching.match(s, d);
+    }
+  }
+}
+
+std::vector<std::size_t> unmatched(const Partners& partners) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (!partners[i]) places.push_back(i);
+  }
+  return places;
+}
+
+void match_by_cost(const Layers& source, const Layers& destination, double diagonal,
+                   Matching& matching) {
+  const auto s = unmatched(matching.of_source), d = unmatched(matching.of_destination);
+  Eigen::MatrixXd cost(s.size(), d.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    for (std::size_t j = 0; j < d.size(); ++j) {
+      cost(static_cast<Index>(i), static_cast<Index>(j)) =
+          matching_cost(source[s[i]], destination[d[j]], diagonal);
+    }
+  }
+  const auto column_of = optimal_assignment(cost);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (column_of[i]) matching.match(s[i], d[static_cast<std::size_t>(*column_of[i])]);
+  }
+}
+
+double colour_distance(const std::optional<Colour>& a, const std::optional<Colour>& b) {
+  if (a.has_value() != b.has_value()) return 1;
+  return a ? (to_oklab(*a) - to_oklab(*b)).norm() : 0;
+}
+
+}  // namespace
+
+double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal) {
+  const double distance =
+      (largest(a.contours).colwise().mean() - largest(b.contours).colwise().mean()).norm();
+  const double size = std::abs(std::sqrt(area(a.contours)) - std::sqrt(area(b.contours)));
+  const bool has_fill = a.paint.fill || b.paint.fill;
+  const double colour = has_fill ? colour_distance(a.paint.fill, b.paint.fill)
+                                 : colour_distance(a.paint.stroke, b.paint.stroke);
+  return (distance + size) / diagonal + colour;
+}
+
+std::vector<LayerMatch> match_layers(const Layers& source, const Layers& destination,
+                                     double diagonal, const LayerMap& map) {
+  Matching matching{Partners(source.size()), Partners(destination.size())};
+  match_by_map(source, destination, map, matching);
+  match_by_name(source, destination, matching);
+  match_by_cost(source, destination, diagonal, matching);
+  std::vector<LayerMatch> matches;
+  for (std::size_t s = 0; s < source.size(); ++s) matches.push_back({s, matching.of_source[s]});
+  for (std::size_t d = 0; d < destination.size(); ++d) {
+    if (!matching.of_destination[d]) matches.push_back({std::nullopt, d});
+  }
+  return painting_order(matches, source, destination);
+}
+
+}  // namespace wavecurve::motion

@@ -1,0 +1,104 @@
+#include "wavecurve/transform/fourier_transform.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <numbers>
+
+namespace wavecurve {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr Eigen::Index longest_direct = 1 << 14;
+
+/// Without the check for infinities and NaNs that std::complex pays for.
+Complex product(Complex a, Complex b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// Columns handled at a time: two cache lines of each row that they cross.
+constexpr Eigen::Index strip = 8;
+
+}  // namespace
+
+FourierTransform::FourierTransform(Eigen::Index size) : size_(size) {
+  const bool is_power_of_two = std::has_single_bit(static_cast<std::uint64_t>(size));
+  if (!is_power_of_two || size > longest_direct) buffer_.resize(size);
+  if (!is_power_of_two) return;
+  while (size > longest_direct && rows_ * rows_ < size) {
+    rows_ *= 2;
+    ++shift_;
+  }
+  of_columns_.emplace(size / rows_);
+  if (rows_ == 1) return;
+  of_rows_.emplace(rows_);
+  pitch_ =
+      rows_ + 4;  // a cache line more, lest the columns of a strip share their place in the cache
+  gathered_.resize(strip * pitch_);
+  // e^(-2 pi i m / n) for m = a rows_ + b as a product of two of a table.
+  coarse_.resize(size / rows_);
+  fine_.resize(rows_);
+  const double angle = -2 * std::numbers::pi / static_cast<double>(size);
+  for (Eigen::Index a = 0; a < coarse_.size(); ++a) {
+    coarse_[a] = std::polar(1.0, angle * static_cast<double>(a * rows_));
+  }
+  for (Eigen::Index b = 0; b < rows_; ++b)
+    fine_[b] = std::polar(1.0, angle * static_cast<double>(b));
+}
+
+void FourierTransform::transform(Complex* x, bool inverse) {
+  if (!of_columns_) return by_eigen(x, inverse);
+  if (of_rows_) return in_four_steps(x, inverse);
+  of_columns_->transform(x, x, inverse, inverse ? 1.0 / static_cast<double>(size_) : 1);
+}
+
+void FourierTransform::by_eigen(Complex* x, bool inverse) {
+  std::copy(x, x + size_, buffer_.data());
+  if (inverse) fft_.inv(x, buffer_.data(), static_cast<int>(size_));
+  if (!inverse) fft_.fwd(x, buffer_.data(), static_cast<int>(size_));
+}
+
+void FourierTransform::in_four_steps(Complex* x, bool inverse) {
+  // With j = r + rows j', k = k' + others k'':
+  //   X_k = sum_r w_rows^(r k'') w_size^(r k') sum_j' w_others^(j' k') x_j.
+  const Eigen::Index others = size_ / rows_;
+  const auto rows = static_cast<std::uint64_t>(rows_);
+  const double scale = inverse ? 1.0 / static_cast<double>(size_) : 1;
+  for (Eigen::Index first = 0; first < rows_; first += strip) {
+    for (Eigen::Index j = 0; j < others; ++j) {
+      for (Eigen::Index r = 0; r < strip; ++r) gathered_[r * pitch_ + j] = x[j * rows_ + first + r];
+    }
+    for (Eigen::Index r = 0; r < strip; ++r) {
+      Complex* column = &gathered_[r * pitch_];
+      of_columns_->transform(column, column, inverse, 1);
+      for (Eigen::Index k = 0; k < others; ++k) {
+        const auto m = static_cast<std::uint64_t>((first + r) * k);
+        const Complex w = product(coarse_.data()[m >> shift_], fine_.data()[m & (rows - 1)]);
+        column[k] = product(column[k], inverse ? std::conj(w) : w);
+      }
+    }
+    for (Eigen::Index k = 0; k < others; ++k) {
+      for (Eigen::Index r = 0; r < strip; ++r) {
+        buffer_[k * rows_ + first + r] = gathered_[r * pitch_ + k];
+      }
+    }
+  }
+  for (Eigen::Index first = 0; first < others; first += strip) {
+    for (Eigen::Index k = 0; k < strip; ++k) {
+      of_rows_->transform(&buffer_[(first + k) * rows_], &gathered_[k * pitch_], inverse, scale);
+    }
+    for (Eigen::Index r = 0; r < rows_; ++r) {
+      for (Eigen::Index k = 0; k < strip; ++k) {
+        x[r * others + first + k] = gathered_[k * pitch_ + r];
+      }
+    }
+  }
+}
+
+void FourierTransform::forward(Eigen::Ref<Vector> x) { transform(x.data(), false); }
+
+void FourierTransform::inverse(Eigen::Ref<Vector> x) { transform(x.data(), true); }
+
+}  // namespace wavecurve

@@ -1,0 +1,54 @@
+// Which equation of A mu = 0 may be replaced by the one that fixes the scale. Decided by exact
+// rational elimination: a system that `solve` refuses is singular.
+#include <string>
+
+#include <fmt/format.h>
+
+#include "wavecurve/certified/connection_coefficients.hpp"
+#include "wavecurve/certified/find_filter.hpp"
+
+#include "verification/suite/claim.hpp"
+#include "verification/tables/exact_reduced_system.hpp"
+
+namespace wavecurve::verification {
+
+namespace {
+
+Outcome evaluate() {
+  const auto definition = certified::find_filter("D8");
+  const auto mu = certified::exact_connection_coefficients(definition, 1, 1)->mu;
+  const auto a = exact_reduced_system(definition.exact->synthesis);
+  Table choices{"D8: the equation of index l replaced by the moment condition",
+                {"l", "its weight l^2 in the null combination", "system", "μ_0"},
+                {}};
+  int regular = 0, right = 0;
+  bool first_is_singular = false;
+  for (int l = 0; l < a.size(); ++l) {
+    auto changed = a;
+    const auto right_hand_side = replace_by_moment_condition(changed, l);
+    const auto solution = certified::solve(changed, right_hand_side);
+    if (solution) ++regular;
+    if (solution && solution->front() == mu[0]) ++right;
+    if (l == 0) first_is_singular = !solution.has_value();
+    choices.rows.push_back({std::to_string(l), std::to_string(l * l),
+                            solution ? "regular" : "singular",
+                            solution ? solution->front().to_string() : "none"});
+  }
+  const bool as_expected = first_is_singular && regular == a.size() - 1 && right == regular;
+  return {
+      as_expected ? Verdict::depends_on_definition : Verdict::undecided,
+      fmt::format("any equation but that of l = 0 ({} of {} choices)", regular, a.size()),
+      "The publication does not say which equation makes room for the one that fixes the scale. "
+      "The equations weighted by l^2 add up to zero. The equation l = 0 has no part in that, so "
+      "without it the others are still dependent and the system stays singular.",
+      {choices}};
+}
+
+const RegisterClaim registered({"dropped-equation",
+                                "Which equation the scale condition may replace",
+                                "Section 3.2, below (3.11)",
+                                "we need another equation to determine the scale of μ", evaluate});
+
+}  // namespace
+
+}  // namespace wavecurve::verification

@@ -1,0 +1,33 @@
+// Table 1: alpha, mu/mu_0 and nu/nu_0 of D8. Each print is held against the exact fraction.
+#include <filesystem>
+
+#include "verification/suite/claim.hpp"
+#include "verification/tables/check_table.hpp"
+#include "verification/tables/table_evidence.hpp"
+
+namespace wavecurve::verification {
+
+namespace {
+
+Outcome evaluate() {
+  const CheckedTable table = check_table(
+      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_1.csv"));
+  Outcome outcome;
+  const bool certified = table.counts().size() == 1 && table.counts().contains(Verdict::certified);
+  outcome.verdict = certified          ? Verdict::certified
+                    : table.is_right() ? Verdict::form
+                                       : Verdict::discrepant;
+  outcome.own_value = count_text(table);
+  outcome.summary =
+      certified ? "Every printed decimal is the correctly rounded value of an exact fraction."
+                : "Not every printed decimal is the correctly rounded true value.";
+  outcome.evidence = {row_table(table)};
+  return outcome;
+}
+
+const RegisterClaim registered({"table-1", "Autocorrelations and coefficients of the D8 wavelet",
+                                "Section 3.2, Table 1", "24 decimals, 12 places each", evaluate});
+
+}  // namespace
+
+}  // namespace wavecurve::verification

@@ -1,0 +1,331 @@
+#include "verification/tables/check_table.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/rounding.hpp"
+
+#include "verification/tables/misprint.hpp"
+#include "verification/tables/print_form.hpp"
+#include "verification/tables/published_taps.hpp"
+#include "verification/tables/routes.hpp"
+#include "verification/tables/true_value.hpp"
+
+namespace wavecurve::verification {
+
+namespace {
+
+constexpr int least_correct_digits = 3;
+
+/// A row while it is worked on.
+struct Row {
+  CheckedRow& result;
+  TrueValue value;
+  bool wrong = false;  ///< proved not to be the rounded value, in whatever form
+  std::optional<Repair> repair;
+};
+
+struct Column {
+  CheckedColumn result;
+  FilterValues& filter;
+  ColumnForm form;
+  std::vector<Row> rows;
+};
+
+std::string digits_text(const PrintForm& form) {
+  const std::string noun = form.scientific ? "significant digit" : "decimal";
+  return fmt::format("{} {}{}", form.digits, noun, form.digits == 1 ? "" : "s");
+}
+
+// --- certified, form, undecided: what needs no search ---
+
+bool is_proved_negative(const TrueValue& value) {
+  const auto is_negative = [](const certified::Ball& enclosure) {
+    if (certainly_less(enclosure, certified::Ball(0))) return Decision::yes;
+    return enclosure.contains_zero() && !enclosure.is_exact() ? Decision::undecided : Decision::no;
+  };
+  return decide(value, is_negative) == Decision::yes;
+}
+
+bool is_tie(const TrueValue& value, const PrintedNumber& print) {
+  return value.exact &&
+         (*value.exact - print.value()).abs() == print.unit() / certified::Rational(2);
+}
+
+void set(CheckedRow& row, Verdict verdict, std::string detail) {
+  row.verdict = verdict;
+  row.detail = std::move(detail);
+}
+
+std::string other_form_text(const PrintedNumber& print, const ColumnForm& column) {
+  return fmt::format("the right value with {}; its column has {}", digits_text(form_of(print)),
+                     digits_text(column.form));
+}
+
+void judge_right(Row& row, const ColumnForm& column) {
+  const PrintedNumber& print = row.result.entry.number;
+  if (print.is_bare_zero() && row.value.is_exactly_zero()) {
+    set(row.result, Verdict::certified, "exactly zero");
+  } else if (column.established && form_of(print) != column.form) {
+    set(row.result, Verdict::form, other_form_text(print, column));
+  } else if (print.is_zero() && print.negative && !is_proved_negative(row.value)) {
+    set(row.result, Verdict::form, "the right value with a sign that it does not have");
+  } else if (is_tie(row.value, print)) {
+    set(row.result, Verdict::certified, "an exact tie; either neighbour is a correct rounding");
+  } else {
+    set(row.result, Verdict::certified, "");
+  }
+}
+
+/// The print is no correct rounding at its own last digit; it may still be the number that the
+/// column's form asks for, with zeros behind it.
+bool is_right_number(const Row& row, const ColumnForm& column) {
+  if (!column.established) return false;
+  const auto rounded = round_to_form(row.value, column.form);
+  return rounded && rounded->value() == row.result.entry.number.value();
+}
+
+void judge_alone(Row& row, const ColumnForm& column) {
+  const PrintedNumber& print = row.result.entry.number;
+  switch (is_within(row.value, print.value(), print.unit() / certified::Rational(2))) {
+    case Decision::yes:
+      judge_right(row, column);
+      return;
+    case Decision::undecided:
+      set(row.result, Verdict::undecided,
+          fmt::format("the rounding is still open at {} bits", precision_limit_bits));
+      return;
+    case Decision::no:
+      break;
+  }
+  if (is_right_number(row, column)) {
+    set(row.result, Verdict::form, other_form_text(print, column));
+    return;
+  }
+  row.wrong = true;
+  row.repair = likeliest_repair(print, intended_prints(row.value, print, column));
+}
+
+// --- the route of a column ---
+
+/// alpha as the table itself prints it, if it prints all that do not vanish by structure.
+Eigen::VectorXd printed_alpha(const std::vector<Column>& columns, const FilterValues& filter) {
+  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(filter.number_of_taps());
+  std::vector<bool> known(static_cast<std::size_t>(alpha.size()), false);
+  for (const Column& column : columns) {
+    if (&column.filter != &filter) continue;
+    if (column.result.quantity != Quantity::autocorrelation) continue;
+    for (const Row& row : column.rows) {
+      const int n = std::abs(row.result.entry.index);
+      alpha[n] = row.result.entry.number.to_double();
+      known[static_cast<std::size_t>(n)] = true;
+    }
+  }
+  for (std::size_t n = 0; n < known.size(); ++n) {
+    const bool vanishes = filter.is_orthonormal() && n > 0 && n % 2 == 0;
+    if (!known[n] && !vanishes) return {};
+  }
+  return alpha;
+}
+
+Eigen::VectorXd true_taps(FilterValues& filter) {
+  Eigen::VectorXd taps(filter.number_of_taps());
+  for (int i = 0; i < filter.number_of_taps(); ++i) {
+    taps[i] = filter.value(Quantity::taps, filter.first_tap() + i).to_double();
+  }
+  return taps;
+}
+
+RouteInput route_input(const Column& column, const std::vector<Column>& columns) {
+  RouteInput input;
+  input.taps = true_taps(column.filter);
+  if (const auto published = find_published_taps(column.filter.name())) {
+    input.published_taps = published->taps;
+    input.published_taps_name = published->name;
+  }
+  input.printed_alpha = printed_alpha(columns, column.filter);
+  input.orthonormal = column.filter.is_orthonormal();
+  input.decimals = column.form.form.digits;
+  return input;
+}
+
+ColumnToExplain column_to_explain(const Column& column) {
+  ColumnToExplain result{column.result.quantity, column.form.form, {}};
+  for (const Row& row : column.rows) {
+    const PublishedEntry& entry = row.result.entry;
+    const int place =
+        is_taps(entry.quantity) ? entry.index - column.filter.first_tap() : std::abs(entry.index);
+    EntryToExplain explained{static_cast<std::size_t>(place), entry.number, std::nullopt, row.wrong,
+                             row.value.to_double()};
+    if (row.repair) explained.repaired = row.repair->repaired;
+    result.entries.push_back(std::move(explained));
+  }
+  return result;
+}
+
+// --- the verdicts of what is wrong ---
+
+std::string describe_difference(const Row& row) {
+  const PrintedNumber& print = row.result.entry.number;
+  const auto right = round_to_form(row.value, form_of(print));
+  const int digit = right ? first_wrong_digit(print, *right) : 0;
+  return digit > 0 ? fmt::format("the true value differs from significant digit {} on", digit)
+                   : "the true value differs";
+}
+
+void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
+  CheckedRow& result = row.result;
+  if (yielded_by_route) {
+    result.verdict = Verdict::published_route;
+    result.detail = describe_difference(row);
+    result.route = route;
+    return;
+  }
+  if (row.repair) {
+    result.verdict = Verdict::misprint;
+    result.detail = row.repair->description + ": " + row.repair->repaired.text();
+    if (row.repair->only_last_digit) {
+      result.detail += "; only the last digit, so an inaccurate computation explains it as well";
+    }
+    return;
+  }
+  const int correct = correct_digits(row.value, result.entry.number);
+  result.verdict =
+      correct >= least_correct_digits ? Verdict::agrees_to_digits : Verdict::discrepant;
+  result.detail = fmt::format("{} significant digit{} right", correct, correct == 1 ? "" : "s");
+  if (result.ulps <= 1.5) result.detail += "; one unit in the last digit is a rounding difference";
+}
+
+/// The digits that the report shows: the column's, or the print's where it has more and is wrong.
+std::string certified_text(const Row& row, const ColumnForm& column) {
+  const PrintForm own = form_of(row.result.entry.number);
+  PrintForm shown = column.established ? column.form : own;
+  if (row.wrong && own.scientific == shown.scientific) {
+    shown.digits = std::max(shown.digits, own.digits);
+  }
+  const auto rounded = round_to_form(row.value, shown);
+  if (rounded) return rounded->text();
+  constexpr int most_digits = 15;
+  return row.value.exact
+             ? certified::round_to_digits(*row.value.exact, most_digits)
+             : certified::supported_decimal(row.value.enclosure(precision_limit_bits), most_digits)
+                   .value;
+}
+
+void finish(Column& column, const RouteScore& route) {
+  column.result.route = route.name;
+  column.result.matched = route.matched;
+  column.result.after_edit = route.after_edit;
+  column.result.of = static_cast<int>(column.rows.size());
+  for (std::size_t i = 0; i < column.rows.size(); ++i) {
+    Row& row = column.rows[i];
+    row.result.ulps = distance_in_units(row.value, row.result.entry.number);
+    row.result.certified = certified_text(row, column.form);
+    if (row.wrong) judge_wrong(row, route.yields_print[i], route.name);
+  }
+}
+
+// --- the columns of a table ---
+
+/// Filters of a table under their canonical names; a filter's values stay where they are.
+class Filters {
+ public:
+  FilterValues& find(const std::string& name) {
+    const auto known = by_table_name_.find(name);
+    if (known != by_table_name_.end()) return *known->second;
+    certified::FilterDefinition definition = find_table_filter(name);
+    // A user's file may call itself what it likes.
+    const std::string canonical = name.ends_with(".json") ? name : definition.name;
+    auto& values = by_canonical_name_[canonical];
+    if (!values) values = std::make_unique<FilterValues>(std::move(definition));
+    by_table_name_[name] = values.get();
+    return *values;
+  }
+
+ private:
+  std::map<std::string, FilterValues*> by_table_name_;
+  std::map<std::string, std::unique_ptr<FilterValues>> by_canonical_name_;
+};
+
+Column& column_of(std::vector<Column>& columns, FilterValues& filter, const PublishedEntry& entry) {
+  const auto known = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
+    return &column.filter == &filter && column.result.quantity == entry.quantity;
+  });
+  if (known != columns.end()) return *known;
+  columns.push_back({{entry.filter, entry.quantity, 0, false, "", 0, 0, 0, {}}, filter, {}, {}});
+  return columns.back();
+}
+
+void refuse_repetition(const Column& column, const PublishedEntry& entry) {
+  for (const Row& row : column.rows) {
+    if (row.result.entry.index != entry.index) continue;
+    throw std::invalid_argument(fmt::format("the row repeats line {} ({} and {} are one filter)",
+                                            row.result.entry.line, row.result.entry.filter,
+                                            entry.filter));
+  }
+}
+
+void add_row(std::vector<Column>& columns, Filters& filters, CheckedRow& result) {
+  FilterValues& filter = filters.find(result.entry.filter);
+  Column& column = column_of(columns, filter, result.entry);
+  refuse_repetition(column, result.entry);
+  column.rows.push_back(
+      {result, filter.value(result.entry.quantity, result.entry.index), false, std::nullopt});
+}
+
+void find_form(Column& column) {
+  std::vector<PrintedNumber> prints;
+  for (const Row& row : column.rows) prints.push_back(row.result.entry.number);
+  column.form = column_form(prints);
+  column.result.digits = column.form.form.digits;
+  column.result.scientific = column.form.form.scientific;
+}
+
+}  // namespace
+
+std::map<Verdict, int> CheckedTable::counts() const {
+  std::map<Verdict, int> result;
+  for (const CheckedRow& row : rows) ++result[row.verdict];
+  return result;
+}
+
+bool CheckedTable::is_right() const {
+  return std::all_of(rows.begin(), rows.end(), [](const CheckedRow& row) {
+    return row.verdict == Verdict::certified || row.verdict == Verdict::form;
+  });
+}
+
+CheckedTable check_table(const PublishedTable& table) {
+  CheckedTable result{table.file, table.title, {}, {}};
+  for (const PublishedEntry& entry : table.entries) {
+    result.rows.push_back({entry, Verdict::undecided, "", 0, "", ""});
+  }
+  Filters filters;
+  std::vector<Column> columns;
+  for (CheckedRow& row : result.rows) {
+    try {
+      add_row(columns, filters, row);
+    } catch (const std::logic_error& error) {  // invalid_argument and domain_error
+      throw std::invalid_argument(table.location(row.entry) + error.what());
+    }
+  }
+  for (Column& column : columns) {
+    find_form(column);
+    for (Row& row : column.rows) judge_alone(row, column.form);
+  }
+  for (Column& column : columns) {
+    column.result.routes = score_routes(column_to_explain(column), route_input(column, columns));
+    finish(column, best_route(column.result.routes));
+    result.columns.push_back(std::move(column.result));
+  }
+  return result;
+}
+
+}  // namespace wavecurve::verification

@@ -1,0 +1,86 @@
+#include "verification/tables/print_form.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace wavecurve::verification {
+namespace {
+
+ColumnForm form_of_column(const std::vector<std::string>& texts) {
+  std::vector<PrintedNumber> prints;
+  for (const std::string& text : texts) prints.push_back(parse_printed_number(text));
+  return column_form(prints);
+}
+
+TrueValue exactly(const std::string& decimal) {
+  return {certified::Rational::from_decimal(decimal), {}};
+}
+
+TEST(ColumnForm, IsTheMostCommonOne) {
+  EXPECT_EQ(form_of_column({"0.25", "0.5", "1.00", "0", "0", "0"}).form, (PrintForm{false, 2}));
+  EXPECT_TRUE(form_of_column({"0.25", "0.5", "1.00"}).established);
+  EXPECT_EQ(form_of_column({"1.25e-3", "1.5e2", "1.75e1"}).form, (PrintForm{true, 3}));
+}
+
+TEST(ColumnForm, TakesTheLongestOfEquallyCommonOnes) {
+  EXPECT_EQ(form_of_column({"0.25", "0.5"}).form.digits, 2);
+  EXPECT_EQ(form_of_column({"0.5", "0.25"}).form.digits, 2);
+}
+
+TEST(ColumnForm, IsNotEstablishedByASinglePrintOrByBareZeros) {
+  EXPECT_FALSE(form_of_column({"0.25"}).established);
+  EXPECT_FALSE(form_of_column({"0", "0"}).established);
+}
+
+TEST(PrintForm, RoundsInTheFormOfThePrint) {
+  EXPECT_EQ(round_to_form(exactly("-0.0012346"), {false, 5})->text(), "-0.00123");
+  EXPECT_EQ(round_to_form(exactly("-0.0012346"), {true, 4})->text(), "-1.235e-3");
+  EXPECT_EQ(round_to_form(exactly("99996"), {true, 4})->text(), "1.000e5");
+  EXPECT_EQ(round_to_form(exactly("0"), {true, 4})->value(), certified::Rational(0));
+}
+
+TEST(PrintForm, CountsCorrectDigits) {
+  const TrueValue value = exactly("0.634202334430");
+  const auto count = [&](const char* text) {
+    return correct_digits(value, parse_printed_number(text));
+  };
+  EXPECT_EQ(count("0.634202334430"), 12);
+  EXPECT_EQ(count("0.6342"), 4);
+  EXPECT_EQ(count("0.634202334000"), 9);
+  EXPECT_EQ(count("0.634202334431"), 11);
+  EXPECT_EQ(count("0.634802334430"), 3);
+  EXPECT_EQ(count("-0.634202334430"), 0);
+  EXPECT_EQ(count("6.34"), 0);
+  EXPECT_EQ(count("0"), 0);
+  EXPECT_EQ(correct_digits(exactly("0.4000001"), parse_printed_number("0.3999999")), 6);
+  EXPECT_EQ(correct_digits(exactly("0.4001"), parse_printed_number("0.3999")), 3);
+  EXPECT_EQ(correct_digits(exactly("0"), parse_printed_number("0.1")), 0);
+}
+
+TEST(PrintForm, MeasuresTheDistanceInUnitsOfTheLastDigit) {
+  EXPECT_EQ(distance_in_units(exactly("0.25"), parse_printed_number("0.31")), 6);
+  EXPECT_EQ(distance_in_units(exactly("0.25"), parse_printed_number("3.1e-1")), 6);
+  EXPECT_EQ(distance_in_units(exactly("0.25"), parse_printed_number("0.250")), 0);
+  const std::string thirds(150, '3');  // more digits than the first precision tried holds
+  const TrueValue third{std::nullopt, [](long bits) {
+                          return certified::Ball::around(certified::Rational(1, 3),
+                                                         certified::Rational::power_of_two(-bits));
+                        }};
+  EXPECT_NEAR(distance_in_units(third, parse_printed_number("0." + thirds)), 1.0 / 3, 1e-9);
+}
+
+TEST(PrintForm, FindsTheFirstWrongDigit) {
+  const auto first = [](const char* print, const char* right) {
+    return first_wrong_digit(parse_printed_number(print), parse_printed_number(right));
+  };
+  EXPECT_EQ(first("-0.632970245318", "-0.632970245425"), 10);
+  EXPECT_EQ(first("0.000061489440", "0.000061489441"), 8);
+  EXPECT_EQ(first("1.200356164723", "1.200356164721"), 13);
+  EXPECT_EQ(first("0.25", "0.25"), 0);
+  EXPECT_EQ(first("0.25", "-0.25"), 1);
+}
+
+}  // namespace
+}  // namespace wavecurve::verification

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "verification/suite/claim.hpp"
+#include "verification/tables/check_table.hpp"
+
+namespace wavecurve::verification {
+
+// What the claims about published tables show.
+
+/// Every row: print, certified value, distance, verdict, detail.
+Table row_table(const CheckedTable& table);
+
+/// Every column with its best route.
+Table column_table(const CheckedTable& table);
+
+/// The routes tried for a column whose names start with `start`, those that come nearest first, at
+/// most `most` of them.
+Table route_table(const CheckedColumn& column, const std::string& start, std::size_t most);
+
+/// |print - true value| of every entry that is not exactly right, on a logarithmic scale.
+Chart deviation_chart(const CheckedTable& table, const std::string& id);
+
+/// "16 certified, 2 form"
+std::string count_text(const CheckedTable& table);
+
+}  // namespace wavecurve::verification
