@@ -1,13 +1,7 @@
 // The dynamics solvers side by side, section by section; --benchmark_filter picks one. Peers:
-// SUNDIALS' CVODE and ARKODE with the same operator, Eigen's LDLT.
-#include <arkode/arkode_erkstep.h>
+// SUNDIALS' CVODE and ARKODE with the same operator, where they are installed, and Eigen's LDLT.
 #include <cmath>
-#include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
 #include <string>
-#include <sundials/sundials_context.h>
-#include <sunlinsol/sunlinsol_spgmr.h>
-#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <Eigen/Cholesky>
 #include <benchmark/benchmark.h>
@@ -23,29 +17,13 @@
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
+#include "benchmarks/ellipse_problem.hpp"
+
 namespace wavecurve {
 namespace {
 
 int log2_of(Eigen::Index samples) {
   return static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
-}
-
-/// An ellipse released towards the unit circle, D8, all levels, t from 0 to 1.
-dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
-                                      dynamics::Material material = {}) {
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        material);
-  const PeriodicTransform<double> transform(system.bank(), samples, system.levels());
-  Eigen::VectorXd workspace(transform.workspace_size());
-  Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);
-  for (Eigen::Index i = 0; i < samples; ++i) {
-    const double x = 2 * M_PI * static_cast<double>(i) / static_cast<double>(samples);
-    fine.row(i) << 0.4 * std::cos(x), -0.4 * std::sin(x);
-  }
-  for (int j = 0; j < 2; ++j) transform.forward(fine.col(j), displacement.col(j), workspace);
-  Eigen::VectorXd times = Eigen::VectorXd::Constant(1, 1);
-  if (frames > 1) times.setLinSpaced(frames, 0, 1);
-  return {system, displacement, {}, times, {}, {}, false};
 }
 
 double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
@@ -79,78 +57,6 @@ void solve_end(benchmark::State& state, const std::string& name, double accuracy
   const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
   state.counters["error"] = (solution.displacement[0] - exact).norm() / problem.displacement.norm();
   state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
-}
-
-/// The operator of the matrix-free coupled solver, as SUNDIALS calls it.
-struct Peer {
-  dynamics::EquationOfMotion motion;
-  Eigen::Index rows;
-
-  static int evaluate(realtype t, N_Vector y, N_Vector derivative, void* data) {
-    auto& peer = *static_cast<Peer*>(data);
-    const Eigen::Index size = 2 * peer.rows;  // of two coordinates
-    const double* in = N_VGetArrayPointer(y);
-    double* out = N_VGetArrayPointer(derivative);
-    const Eigen::Map<const Eigen::MatrixXd> q(in, peer.rows, 2), v(in + size, peer.rows, 2);
-    Eigen::Map<Eigen::MatrixXd>(out, peer.rows, 2) = v;
-    peer.motion(t, q, v, Eigen::Map<Eigen::MatrixXd>(out + size, peer.rows, 2));
-    return 0;
-  }
-};
-
-enum class Sundials { bdf, adams, explicit_runge_kutta };
-
-Eigen::MatrixXd solve_sundials(const dynamics::InitialValueProblem& problem, Sundials method,
-                               double tolerance, long long& evaluations) {
-  const Eigen::Index rows = problem.system.samples();
-  Peer peer = {dynamics::EquationOfMotion(problem, false), rows};
-  sundials::Context context;
-  N_Vector y = N_VNew_Serial(4 * rows, context);
-  Eigen::Map<Eigen::MatrixXd> state(N_VGetArrayPointer(y), rows, 4);
-  state << problem.displacement, Eigen::MatrixXd::Zero(rows, 2);
-  const double end = problem.times[problem.times.size() - 1];
-  realtype reached = 0;
-  if (method == Sundials::explicit_runge_kutta) {
-    void* memory = ERKStepCreate(Peer::evaluate, 0, y, context);
-    ERKStepSStolerances(memory, tolerance, tolerance);
-    ERKStepSetUserData(memory, &peer);
-    ERKStepSetMaxNumSteps(memory, 1 << 30);
-    ERKStepEvolve(memory, end, y, &reached, ARK_NORMAL);
-    ERKStepFree(&memory);
-  } else {
-    void* memory = CVodeCreate(method == Sundials::bdf ? CV_BDF : CV_ADAMS, context);
-    CVodeInit(memory, Peer::evaluate, 0, y);
-    CVodeSStolerances(memory, tolerance, tolerance);
-    CVodeSetUserData(memory, &peer);
-    CVodeSetMaxNumSteps(memory, 1 << 30);
-    SUNLinearSolver linear = nullptr;
-    SUNNonlinearSolver fixed_point = nullptr;
-    if (method == Sundials::bdf) {
-      linear = SUNLinSol_SPGMR(y, SUN_PREC_NONE, 0, context);
-      CVodeSetLinearSolver(memory, linear, nullptr);
-    } else {
-      fixed_point = SUNNonlinSol_FixedPoint(y, 0, context);
-      CVodeSetNonlinearSolver(memory, fixed_point);
-    }
-    CVode(memory, end, y, &reached, CV_NORMAL);
-    CVodeFree(&memory);
-    if (linear) SUNLinSolFree(linear);
-    if (fixed_point) SUNNonlinSolFree(fixed_point);
-  }
-  evaluations = peer.motion.cost().evaluations;
-  const Eigen::MatrixXd result = state.leftCols(2);
-  N_VDestroy(y);
-  return result;
-}
-
-void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
-  dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
-  Eigen::MatrixXd end;
-  long long evaluations = 0;
-  for (auto _ : state) end = solve_sundials(problem, method, tolerance, evaluations);
-  const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
-  state.counters["error"] = (end - exact).norm() / problem.displacement.norm();
-  state.counters["evaluations"] = static_cast<double>(evaluations);
 }
 
 void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditioned) {
@@ -288,24 +194,7 @@ BENCHMARK_CAPTURE(solve_end, coupled_1e8, "coupled", 1e-8)->Arg(256)->Unit(bench
 BENCHMARK_CAPTURE(solve_end, coupled_dense_1e6, "coupled-dense", 1e-6)
     ->Arg(256)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, cvode_adams_1e6, Sundials::adams, 1e-6)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, cvode_adams_1e8, Sundials::adams, 1e-8)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, cvode_bdf_1e6, Sundials::bdf, 1e-6)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, cvode_bdf_1e8, Sundials::bdf, 1e-8)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, arkode_1e6, Sundials::explicit_runge_kutta, 1e-6)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sundials_peer, arkode_1e8, Sundials::explicit_runge_kutta, 1e-8)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond);
+// The same by SUNDIALS: peers/dynamics_sundials.cpp.
 
 BENCHMARK_CAPTURE(conjugate_gradients_iterations, diagonal, true)
     ->RangeMultiplier(4)

@@ -9,12 +9,16 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <sundials/sundials_config.h>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+#ifdef WAVECURVE_GSL
 #include <gsl/gsl_version.h>
 #include <gsl/gsl_wavelet.h>
-#include <nlohmann/json.hpp>
+#endif
+#ifdef WAVECURVE_SUNDIALS
+#include <sundials/sundials_config.h>
+#endif
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
@@ -66,6 +70,7 @@ void add(Json& json, const std::string& table, const std::string& name, double w
   }
 }
 
+#ifdef WAVECURVE_GSL
 void add_gsl(Json& json) {
   const auto add_member = [&](const gsl_wavelet_type* type, std::size_t member,
                               const std::string& name) {
@@ -82,6 +87,23 @@ void add_gsl(Json& json) {
     add_member(gsl_wavelet_bspline, member,
                "bspline" + std::to_string(member / 100) + "." + std::to_string(member % 100));
   }
+}
+
+#else
+void add_gsl(Json&) {}
+#endif
+
+void print_versions() {
+#ifdef WAVECURVE_GSL
+  std::printf("GSL %s", GSL_VERSION);
+#else
+  std::printf("no GSL");
+#endif
+#ifdef WAVECURVE_SUNDIALS
+  std::printf(", SUNDIALS %s\n", SUNDIALS_VERSION);
+#else
+  std::printf(", no SUNDIALS\n");
+#endif
 }
 
 /// biorD.E is a spline pair for D <= 3 only; bior4.4 is the 9/7 pair.
@@ -112,7 +134,7 @@ void add_own(Json& json) {
 int main(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "--versions") {
-      std::printf("GSL %s, SUNDIALS %s\n", GSL_VERSION, SUNDIALS_VERSION);
+      print_versions();
       return 0;
     }
     Json json;

@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
-#include <gsl/gsl_wavelet.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#ifdef WAVECURVE_GSL
+#include <gsl/gsl_wavelet.h>
+#endif
 
 #include "wavecurve/filters/find_filter_bank.hpp"
 
@@ -114,7 +116,7 @@ void expect_predicted(const Signal& computed, const Prediction& prediction) {
   }
 }
 
-// GSL
+#ifdef WAVECURVE_GSL
 
 struct GslFilter {
   const gsl_wavelet_type* type;
@@ -180,6 +182,8 @@ TEST(Conventions, MapToGsl) {
   }
   EXPECT_EQ(worst, 0) << "GSL's tables are no longer the correctly rounded values";
 }
+
+#endif
 
 // PyWavelets
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/animations/png.hpp"
 #include "wavecurve/io/animations/render_frames.hpp"
-#include "wavecurve/io/files/png.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {

@@ -1,4 +1,4 @@
-#include "wavecurve/io/files/png.hpp"
+#include "wavecurve/io/animations/png.hpp"
 
 #include <png.h>
 #include <stdexcept>
