@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "wavecurve/certified/linear_solve.hpp"
+#include "wavecurve/certified/detail/flint_matrices.hpp"
 #include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/square_matrix.hpp"
 
 namespace wavecurve::certified {
 
