@@ -28,9 +28,8 @@ void require_orders(int p, int q) {
 template <class Scalar>
 ConnectionCoefficients<Scalar> from_autocorrelations(const Filter<Scalar>& alpha,
                                                      const Filter<Scalar>& beta, int p, int q) {
-  Filter<Scalar> mask = alpha;
-  for (Scalar& a : mask.taps) a /= Scalar(2);
-  ConnectionCoefficients<Scalar> result{p, q, symmetric_derivative_at_integers(mask, p + q), {}};
+  ConnectionCoefficients<Scalar> result{
+      p, q, autocorrelation_derivative_at_integers(alpha, p + q), {}};
   if (p % 2 != 0) {
     for (Scalar& value : result.mu.taps) value = -value;
   }
