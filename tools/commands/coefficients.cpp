@@ -1,7 +1,6 @@
 #include <charconv>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,9 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/certified/autocorrelation.hpp"
-#include "wavecurve/certified/connection_coefficients.hpp"
-#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/certified_decimals.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
@@ -21,7 +18,6 @@ namespace wavecurve::tools {
 
 namespace {
 
-using certified::Ball;
 using certified::DecimalEnclosure;
 using certified::FilterDefinition;
 using nlohmann::ordered_json;
@@ -57,84 +53,6 @@ Orders parse_orders(const std::string& text) {
                                 text + "'");
   }
   return orders;
-}
-
-/// Indices from 0 on, divided by the 0-th if that is asked for. An antisymmetric sequence has a
-/// zero there and cannot be divided by it.
-template <class Scalar>
-std::vector<Scalar> half(const Filter<Scalar>& symmetric, bool divide_by_first, int p, int q) {
-  if (divide_by_first && (p + q) % 2 != 0) {
-    throw std::invalid_argument(
-        "--normalize first: the coefficient of index 0 is zero for the odd sum " +
-        std::to_string(p + q) + " of derivative orders");
-  }
-  std::vector<Scalar> values;
-  for (int l = 0; l <= symmetric.last_index(); ++l) {
-    values.push_back(divide_by_first ? symmetric[l] / symmetric[0] : symmetric[l]);
-  }
-  return values;
-}
-
-template <class Scalar>
-std::vector<std::vector<Scalar>> sequences(const Filter<Scalar>& alpha,
-                                           const ConnectionCoefficients<Scalar>& coefficients,
-                                           bool divide_by_first) {
-  const int p = coefficients.p, q = coefficients.q;
-  return {alpha.taps, half(coefficients.mu, divide_by_first, p, q),
-          half(coefficients.nu, divide_by_first, p, q)};
-}
-
-std::vector<std::vector<Ball>> enclosures(const FilterDefinition& definition,
-                                          const Options& options, Orders orders, long bits) {
-  const auto coefficients = connection_coefficients(definition, orders.p, orders.q, bits);
-  return sequences(certified::autocorrelation(definition, bits), coefficients,
-                   options.normalization == "first");
-}
-
-std::optional<std::vector<std::vector<DecimalEnclosure>>> decided(
-    const std::vector<std::vector<Ball>>& sequences, int digits) {
-  std::vector<std::vector<DecimalEnclosure>> decimals;
-  for (const auto& sequence : sequences) {
-    decimals.emplace_back();
-    for (const Ball& value : sequence) {
-      auto decimal = decimal_enclosure(value, digits);
-      if (!decimal) return std::nullopt;
-      decimals.back().push_back(std::move(*decimal));
-    }
-  }
-  return decimals;
-}
-
-/// Exact fractions where there are any, else enclosures at rising precision until all are decided.
-std::vector<std::vector<DecimalEnclosure>> compute(const FilterDefinition& definition,
-                                                   const Options& options, Orders orders) {
-  if (const auto exact = exact_connection_coefficients(definition, orders.p, orders.q)) {
-    std::vector<std::vector<DecimalEnclosure>> decimals;
-    for (const auto& sequence :
-         sequences(definition.exact->synthesis, *exact, options.normalization == "first")) {
-      decimals.emplace_back();
-      for (const auto& value : sequence) {
-        decimals.back().push_back(decimal_enclosure(value, options.digits));
-      }
-    }
-    return decimals;
-  }
-  constexpr int attempts = 4;
-  long bits = bits_for(options.digits);
-  for (int attempt = 0; attempt < attempts; ++attempt, bits *= 2) {
-    const certified::WorkingPrecision precision(bits);
-    if (auto all = decided(enclosures(definition, options, orders, bits), options.digits))
-      return *all;
-  }
-  const certified::WorkingPrecision precision(bits);
-  std::vector<std::vector<DecimalEnclosure>> decimals;
-  for (const auto& sequence : enclosures(definition, options, orders, bits)) {
-    decimals.emplace_back();
-    for (const Ball& value : sequence) {
-      decimals.back().push_back(supported_decimal(value, options.digits));
-    }
-  }
-  return decimals;
 }
 
 std::string as_json(const FilterDefinition& definition, const Options& options, Orders orders,
@@ -204,8 +122,12 @@ std::string as_text(const FilterDefinition& definition, const Options& options, 
 void run(const Options& options) {
   const Orders orders = parse_orders(options.derivatives);
   const FilterDefinition definition = io::load_filter(options.name);
-  const auto values = compute(definition, options, orders);
-  const std::vector<Column> columns{{"alpha", values[0]}, {"mu", values[1]}, {"nu", values[2]}};
+  const auto [alpha, mu, nu] = certified::certified_decimals(
+      definition, {.p = orders.p,
+                   .q = orders.q,
+                   .digits = options.digits,
+                   .divide_by_first = options.normalization == "first"});
+  const std::vector<Column> columns{{"alpha", alpha}, {"mu", mu}, {"nu", nu}};
   std::string text;
   if (options.format == "json") text = as_json(definition, options, orders, columns);
   if (options.format == "csv") text = as_csv(definition, columns);

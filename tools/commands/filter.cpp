@@ -10,6 +10,7 @@
 
 #include "wavecurve/certified/decimal_enclosure.hpp"
 #include "wavecurve/certified/diagnostics.hpp"
+#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/io/load_filter.hpp"
@@ -44,19 +45,15 @@ std::string tap_decimal(const Ball& tap, int digits) {
 /// Correctly rounded decimals of all four filters. Raises the precision until every tap is decided;
 /// the decimals of a user's own filter may not support as many digits as are asked for.
 std::vector<NamedFilter> rounded_filters(const FilterDefinition& definition, int digits) {
-  constexpr int attempts = 4;
-  long bits = bits_for(digits);
-  for (int attempt = 1; attempt < attempts; ++attempt, bits *= 2) {
-    const certified::WorkingPrecision precision(bits);
-    const auto bank = definition.bank(bits);
+  FilterBank<Ball> bank;
+  certified::refine(certified::bits_for_digits(digits), [&](long bits) {
+    bank = definition.bank(bits);
     bool decided = true;
     for (const auto* low : {&bank.analysis_low, &bank.synthesis_low}) {
       for (const Ball& tap : low->taps) decided &= decimal_enclosure(tap, digits).has_value();
     }
-    if (decided) break;
-  }
-  const certified::WorkingPrecision precision(bits);
-  const auto bank = definition.bank(bits);
+    return decided;
+  });
   const auto round = [digits](const char* name, const Filter<Ball>& filter) {
     NamedFilter result{name, {filter.first_index, {}}};
     for (const Ball& tap : filter.taps) result.decimals.taps.push_back(tap_decimal(tap, digits));

@@ -1,7 +1,6 @@
 #include "tools/commands/number_format.hpp"
 
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,11 +32,6 @@ void add_format_option(CLI::App& command, std::string& format, std::vector<std::
   command.add_option("--format", format, "Form of the output")
       ->check(CLI::IsMember(std::move(accepted)))
       ->capture_default_str();
-}
-
-long bits_for(int digits) {
-  constexpr int guard_bits = 40;
-  return static_cast<long>(std::ceil(digits * std::log2(10.0))) + guard_bits;
 }
 
 std::string header_opening(const std::string& title, const std::string& filter_name) {

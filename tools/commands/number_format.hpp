@@ -15,9 +15,6 @@ void add_digits_option(CLI::App& command, int& digits);
 /// `--format F`, one of the given.
 void add_format_option(CLI::App& command, std::string& format, std::vector<std::string> accepted);
 
-/// Working precision that mostly decides the rounding to this many significant digits.
-long bits_for(int digits);
-
 /// A C++ header's first lines, an array of doubles, its last lines. The namespace is made from the
 /// filter's name: wavecurve_tables::bspline4_4.
 std::string header_opening(const std::string& title, const std::string& filter_name);

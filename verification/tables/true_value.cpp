@@ -6,6 +6,7 @@
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
+#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
@@ -18,6 +19,7 @@ using certified::WorkingPrecision;
 namespace {
 
 constexpr long first_bits = 128;
+static_assert(precision_limit_bits == first_bits << certified::precision_doublings);
 /// Sums of a filter's products lose a few bits; enclosures stay right whatever this is.
 constexpr long guard_bits = 32;
 
@@ -64,12 +66,13 @@ double TrueValue::to_double() const {
 }
 
 Decision decide(const TrueValue& value, const std::function<Decision(const Ball&)>& ask) {
-  for (long bits = first_bits; bits <= precision_limit_bits; bits *= 2) {
+  Decision answer = Decision::undecided;
+  certified::refine(first_bits, [&](long bits) {
     const WorkingPrecision precision(bits + guard_bits);
-    const Decision answer = ask(value.exact ? Ball(*value.exact) : value.enclosure(bits));
-    if (answer != Decision::undecided) return answer;
-  }
-  return Decision::undecided;
+    answer = ask(value.exact ? Ball(*value.exact) : value.enclosure(bits));
+    return answer != Decision::undecided;
+  });
+  return answer;
 }
 
 Decision is_within(const TrueValue& value, const Rational& number, const Rational& radius) {

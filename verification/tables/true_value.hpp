@@ -30,7 +30,7 @@ struct TrueValue {
 enum class Decision { no, yes, undecided };
 
 /// Asks with ever tighter enclosures, from 128 bits to precision_limit_bits, until the answer is
-/// there; an exact value is asked once.
+/// there (certified/refine.hpp).
 Decision decide(const TrueValue& value, const std::function<Decision(const certified::Ball&)>& ask);
 
 /// Is |value - number| <= radius? Proved.

@@ -1,6 +1,7 @@
 #include "wavecurve/certified/ball.hpp"
 
 #include <stdexcept>
+#include <string>
 
 namespace wavecurve::certified {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <compare>
-#include <optional>
-#include <string>
-
 #include "wavecurve/certified/flint.hpp"
 #include "wavecurve/certified/rational.hpp"
 

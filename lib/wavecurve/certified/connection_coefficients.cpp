@@ -1,11 +1,10 @@
 #include "wavecurve/certified/connection_coefficients.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "wavecurve/certified/refinable.hpp"
+#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
@@ -28,13 +27,14 @@ void require_orders(int p, int q) {
 template <class Scalar>
 ConnectionCoefficients<Scalar> from_autocorrelations(const Filter<Scalar>& alpha,
                                                      const Filter<Scalar>& beta, int p, int q) {
-  Filter<Scalar> mask = alpha;
-  for (Scalar& a : mask.taps) a /= Scalar(2);
-  ConnectionCoefficients<Scalar> result{p, q, symmetric_derivative_at_integers(mask, p + q), {}};
+  ConnectionCoefficients<Scalar> result{
+      p, q, autocorrelation_derivative_at_integers(alpha, p + q), {}};
   if (p % 2 != 0) {
     for (Scalar& value : result.mu.taps) value = -value;
   }
   result.nu = wavelet_coefficients(result.mu, beta, p + q);
+  // An antisymmetric sequence is zero there; the enclosures of its two halves do not know that.
+  if ((p + q) % 2 != 0) result.nu.taps[result.nu.taps.size() / 2] = Scalar(0);
   return result;
 }
 
@@ -46,13 +46,15 @@ Filter<Scalar> with_alternating_signs(Filter<Scalar> alpha) {
 }
 
 /// A coefficient that is nearly zero may be known only absolutely; the largest sets the scale.
+/// Compared as balls: as doubles both sides would underflow at about 1000 bits.
 bool accurate(const Filter<Ball>& values, long bits) {
-  double largest = 0, radius = 0;
+  Ball largest(0), radius(0);
   for (const Ball& value : values.taps) {
-    largest = std::max(largest, std::abs(value.to_double()));
-    radius = std::max(radius, value.radius_double());
+    const Ball magnitude = abs(value.midpoint());
+    if (certainly_less(largest, magnitude)) largest = magnitude;
+    if (certainly_less(radius, value.radius())) radius = value.radius();
   }
-  return radius <= std::ldexp(largest, static_cast<int>(-bits));
+  return !certainly_less(largest * Ball(Rational::power_of_two(-bits)), radius);
 }
 
 }  // namespace
@@ -62,21 +64,18 @@ ConnectionCoefficients<Ball> connection_coefficients(const FilterDefinition& def
   require_orders(p, q);
   require_smoothness(definition, p, q);
   constexpr long guard_bits = 64;
-  constexpr int doublings = 5;
-  long working = bits + guard_bits;
-  for (int attempt = 0;; ++attempt, working *= 2) {
-    const WorkingPrecision precision(working);
-    try {
-      const FilterBank<Ball> bank = definition.bank(working);
-      const auto alpha = autocorrelation(bank.synthesis_low);
-      const auto beta = autocorrelation(bank.synthesis_high);
-      auto result = from_autocorrelations(alpha, beta, p, q);
-      if ((accurate(result.mu, bits) && accurate(result.nu, bits)) || attempt == doublings)
-        return result;
-    } catch (const std::domain_error&) {
-      if (attempt == doublings) throw;
-    }
-  }
+  ConnectionCoefficients<Ball> result;
+  refine(bits + guard_bits, [&](long working) {
+    const FilterBank<Ball> bank = definition.bank(working);
+    result = from_autocorrelations(autocorrelation(bank.synthesis_low),
+                                   autocorrelation(bank.synthesis_high), p, q);
+    return is_accurate(result, bits);
+  });
+  return result;
+}
+
+bool is_accurate(const ConnectionCoefficients<Ball>& coefficients, long bits) {
+  return accurate(coefficients.mu, bits) && accurate(coefficients.nu, bits);
 }
 
 std::optional<ConnectionCoefficients<Rational>> exact_connection_coefficients(

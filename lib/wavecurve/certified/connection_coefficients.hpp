@@ -25,6 +25,10 @@ namespace wavecurve::certified {
 ConnectionCoefficients<Ball> connection_coefficients(const FilterDefinition& definition, int p,
                                                      int q, long bits);
 
+/// Whether the enclosures of mu, and those of nu, have this many bits relative to the largest of
+/// them. connection_coefficients() falls short of the bits asked for only where the taps do.
+bool is_accurate(const ConnectionCoefficients<Ball>& coefficients, long bits);
+
 /// The exact fractions, for families with rational autocorrelations (Daubechies, symlets, splines);
 /// empty for others. Throws as above.
 std::optional<ConnectionCoefficients<Rational>> exact_connection_coefficients(

@@ -64,6 +64,20 @@ TEST(ConnectionCoefficients, SplinesFollowFromTheSplineOfDoubleOrder) {
   }
 }
 
+TEST(ConnectionCoefficients, ReachTheAccuracyAskedForBeyondTheRangeOfDoubles) {
+  constexpr long many_bits = 2000;
+  const auto c = connection_coefficients(find_filter("coif2"), 1, 1, many_bits);
+  EXPECT_TRUE(is_accurate(c, many_bits));
+  EXPECT_FALSE(is_accurate(c, 2 * many_bits)) << "more was computed than was asked for";
+}
+
+TEST(ConnectionCoefficients, OfAnOddOrderAreExactlyZeroAtZero) {
+  for (const char* name : {"coif2", "cdf9.7", "db3"}) {
+    EXPECT_EQ(enclosed(name, 0, 1).mu[0], Ball(0)) << name;
+    EXPECT_EQ(enclosed(name, 0, 1).nu[0], Ball(0)) << name;
+  }
+}
+
 TEST(ConnectionCoefficients, EnclosuresHoldTheFractions) {
   for (const char* name : {"db3", "db9", "db38", "bspline4.4", "bspline3.7"}) {
     const auto fractions = exact(name);

@@ -1,12 +1,12 @@
 #include "wavecurve/certified/filter_table_source.hpp"
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "wavecurve/certified/families/families.hpp"
+#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 
@@ -34,14 +34,6 @@ bool append_taps(TableText& text, const Filter<Ball>& filter) {
   return true;
 }
 
-/// Calls attempt(bits) at rising precision until it succeeds.
-void at_rising_precision(const std::string& name, const std::function<bool(long)>& attempt) {
-  for (long bits = 128; bits <= 1024; bits *= 2) {
-    if (attempt(bits)) return;
-  }
-  throw std::runtime_error("the taps of " + name + " could not be rounded");
-}
-
 /// Ten proved digits, so that the text does not depend on how tight an enclosure came out.
 std::string exponent_text(const FilterDefinition& definition) {
   constexpr int digits = 10;
@@ -53,7 +45,8 @@ std::string exponent_text(const FilterDefinition& definition) {
 
 void append_member(TableText& text, const FilterDefinition& definition) {
   const std::string exponent = exponent_text(definition);
-  at_rising_precision(definition.name, [&](long bits) {
+  constexpr long first_bits = 128;
+  const bool rounded = refine(first_bits, [&](long bits) {
     const FilterBank<Ball> bank = definition.bank(bits);
     TableText longer = text;
     const std::size_t analysis_offset = longer.taps;
@@ -68,6 +61,8 @@ void append_member(TableText& text, const FilterDefinition& definition) {
     text = longer;
     return true;
   });
+  if (!rounded)
+    throw std::runtime_error("the taps of " + definition.name + " could not be rounded");
 }
 
 constexpr const char* layout =

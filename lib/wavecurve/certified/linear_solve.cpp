@@ -1,5 +1,10 @@
 #include "wavecurve/certified/linear_solve.hpp"
 
+#include <stdexcept>
+#include <string>
+
+#include "wavecurve/certified/detail/flint_matrices.hpp"
+
 namespace wavecurve::certified {
 
 namespace {
@@ -22,10 +27,18 @@ class RationalMatrix {
   fmpq_mat_t value;
 };
 
+void require_length(int size, std::size_t length) {
+  if (static_cast<std::size_t>(size) == length) return;
+  throw std::invalid_argument("a linear system of " + std::to_string(size) +
+                              " equations has a right-hand side of " + std::to_string(length) +
+                              " numbers: must be as many");
+}
+
 }  // namespace
 
 std::optional<std::vector<Ball>> solve(const SquareMatrix<Ball>& a, const std::vector<Ball>& b) {
   const int n = a.size();
+  require_length(n, b.size());
   BallMatrix matrix(n, n), right(n, 1), solution(n, 1);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) arb_set(arb_mat_entry(matrix.value, i, j), a(i, j).get());
@@ -44,6 +57,7 @@ std::optional<std::vector<Ball>> solve(const SquareMatrix<Ball>& a, const std::v
 std::optional<std::vector<Rational>> solve(const SquareMatrix<Rational>& a,
                                            const std::vector<Rational>& b) {
   const int n = a.size();
+  require_length(n, b.size());
   RationalMatrix matrix(n, n), right(n, 1), solution(n, 1);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) fmpq_set(fmpq_mat_entry(matrix.value, i, j), a(i, j).get());

@@ -44,6 +44,7 @@ Rational Rational::from_decimal(std::string_view decimal) {
   if (!seen_digit) refuse(decimal);
   if (!rest.empty()) {
     rest.remove_prefix(1);
+    if (rest.starts_with("+-")) refuse(decimal);
     if (rest.starts_with('+')) rest.remove_prefix(1);
     long printed = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), printed);

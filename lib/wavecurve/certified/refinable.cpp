@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wavecurve/certified/linear_solve.hpp"
+#include "wavecurve/filters/two_scale_matrix.hpp"
 
 namespace wavecurve::certified {
 
@@ -74,38 +75,22 @@ Filter<Scalar> derivative_at_integers(const Filter<Scalar>& mask, int d) {
 }
 
 template <class Scalar>
-Filter<Scalar> symmetric_derivative_at_integers(const Filter<Scalar>& half_mask, int d) {
-  const int last = half_mask.last_index() - 1;
-  const bool odd = d % 2 != 0;
-  const int first = odd ? 1 : 0;  // an odd derivative of a symmetric function vanishes at 0
-  const int n = last - first + 1;
-  Filter<Scalar> values{-last,
-                        std::vector<Scalar>(static_cast<std::size_t>(2 * last + 1), Scalar(0))};
-  if (n < 1) {
+Filter<Scalar> autocorrelation_derivative_at_integers(const Filter<Scalar>& alpha, int d) {
+  const int last = alpha.last_index() - 1, first = first_two_scale_unknown(d);
+  if (last < first) {
     throw std::domain_error("the support is too short for a derivative of order " +
                             std::to_string(d));
-  }
-  const Scalar scale = integer_power<Scalar>(2, d);
-  const auto mask = [&](int k) { return half_mask[k < 0 ? -k : k]; };
-  SquareMatrix<Scalar> system(n);
-  for (int i = 0; i < n; ++i) {
-    const int l = first + i;
-    for (int j = 0; j < n; ++j) {
-      const int m = first + j;  // the unknown f(m), which is also f(-m) up to the sign
-      Scalar coefficient = mask(2 * l - m);
-      if (m != 0) odd ? coefficient -= mask(2 * l + m) : coefficient += mask(2 * l + m);
-      system(i, j) = scale * coefficient - Scalar(i == j ? 1 : 0);
-    }
   }
   std::vector<Scalar> weights;
   for (int m = first; m <= last; ++m) {
     weights.push_back(integer_power<Scalar>(m, d) * Scalar(m == 0 ? 1 : 2));
   }
-  const std::vector<Scalar> solution = solve_for_moment(system, weights, d);
-  for (int j = 0; j < n; ++j) {
-    const int m = first + j;
-    const Scalar& value = solution[static_cast<std::size_t>(j)];
-    values.taps[static_cast<std::size_t>(last - m)] = odd ? -value : value;
+  const auto solution = solve_for_moment(two_scale_matrix(alpha, d), weights, d);
+  Filter<Scalar> values{-last,
+                        std::vector<Scalar>(static_cast<std::size_t>(2 * last + 1), Scalar(0))};
+  for (int m = first; m <= last; ++m) {
+    const Scalar& value = solution[static_cast<std::size_t>(m - first)];
+    values.taps[static_cast<std::size_t>(last - m)] = d % 2 != 0 ? -value : value;
     values.taps[static_cast<std::size_t>(last + m)] = value;
   }
   return values;
@@ -113,7 +98,7 @@ Filter<Scalar> symmetric_derivative_at_integers(const Filter<Scalar>& half_mask,
 
 template Filter<Ball> derivative_at_integers(const Filter<Ball>&, int);
 template Filter<Rational> derivative_at_integers(const Filter<Rational>&, int);
-template Filter<Ball> symmetric_derivative_at_integers(const Filter<Ball>&, int);
-template Filter<Rational> symmetric_derivative_at_integers(const Filter<Rational>&, int);
+template Filter<Ball> autocorrelation_derivative_at_integers(const Filter<Ball>&, int);
+template Filter<Rational> autocorrelation_derivative_at_integers(const Filter<Rational>&, int);
 
 }  // namespace wavecurve::certified

@@ -31,9 +31,10 @@ namespace wavecurve::certified {
 template <class Scalar>
 Filter<Scalar> derivative_at_integers(const Filter<Scalar>& mask, int d);
 
-/// The same for a symmetric f, given a_k = a_{-k} for k = 0 .. K: half the unknowns. Returns
-/// f^(d)(l) for every l from -(K-1) to K-1.
+/// F^(d)(l) of the autocorrelation F for every l from -(P-1) to P-1, from alpha_0 .. alpha_P: half
+/// the unknowns, since F is symmetric (filters/two_scale_matrix.hpp). Throws as above, and
+/// std::invalid_argument for d outside 0 .. 16.
 template <class Scalar>
-Filter<Scalar> symmetric_derivative_at_integers(const Filter<Scalar>& half_mask, int d);
+Filter<Scalar> autocorrelation_derivative_at_integers(const Filter<Scalar>& alpha, int d);
 
 }  // namespace wavecurve::certified

@@ -52,11 +52,11 @@ TEST(DerivativeAtIntegers, TheSymmetricSystemGivesTheSame) {
   for (const int order : {4, 6, 8}) {
     Filter<Rational> mask{-order / 2, averaging_polynomial<Rational>(order)};
     for (Rational& a : mask.taps) a *= Rational(2);
-    Filter<Rational> half{0, {}};
-    for (int k = 0; k <= order / 2; ++k) half.taps.push_back(mask[k]);
+    Filter<Rational> alpha{0, {}};  // twice the mask
+    for (int k = 0; k <= order / 2; ++k) alpha.taps.push_back(mask[k] + mask[k]);
     for (int d = 0; d + 2 < order; ++d) {
       const auto whole = derivative_at_integers(mask, d);
-      const auto symmetric = symmetric_derivative_at_integers(half, d);
+      const auto symmetric = autocorrelation_derivative_at_integers(alpha, d);
       for (int l = -order / 2; l <= order / 2; ++l)
         EXPECT_EQ(whole[l], symmetric[l]) << d << " " << l;
     }

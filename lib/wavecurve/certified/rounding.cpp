@@ -142,6 +142,11 @@ std::optional<std::string> round_to_digits(const Ball& x, int digits) {
   return if_both_ends_agree(x, [&](const Rational& end) { return round_to_digits(end, digits); });
 }
 
+long bits_for_digits(int digits) {
+  constexpr int guard_bits = 40;
+  return static_cast<long>(std::ceil(digits * std::log2(10.0))) + guard_bits;
+}
+
 std::optional<double> round_to_double(const Ball& x) { return round_to_binary<double>(x, 53); }
 
 std::optional<float> round_to_float(const Ball& x) { return round_to_binary<float>(x, 24); }

@@ -22,6 +22,9 @@ std::string round_to_decimals(const Rational& x, int decimals);
 std::optional<std::string> round_to_digits(const Ball& x, int digits);
 std::string round_to_digits(const Rational& x, int digits);
 
+/// A working precision that mostly decides the rounding to this many significant digits.
+long bits_for_digits(int digits);
+
 /// The nearest double, the nearest float.
 std::optional<double> round_to_double(const Ball& x);
 std::optional<float> round_to_float(const Ball& x);

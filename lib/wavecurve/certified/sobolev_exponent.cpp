@@ -1,11 +1,14 @@
 #include "wavecurve/certified/sobolev_exponent.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "wavecurve/certified/linear_solve.hpp"
+#include "wavecurve/certified/detail/flint_matrices.hpp"
+#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/square_matrix.hpp"
 
 namespace wavecurve::certified {
 
@@ -76,17 +79,15 @@ Ball spectral_radius(const SquareMatrix<Ball>& t, int squarings) {
 
 /// The exponent of phi, at rising precision until it can be enclosed.
 Ball exponent_of(const FilterDefinition& definition, int squarings) {
-  constexpr long first_bits = 128, highest_bits = 2048;
-  for (long bits = first_bits;; bits *= 2) {
-    const WorkingPrecision precision(bits);
-    try {
+  constexpr long first_bits = 128;
+  try {
+    return *refine(first_bits, [&](long bits) {
       const FilterBank<Ball> bank = definition.bank(bits);
-      return sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings);
-    } catch (const std::domain_error& error) {
-      if (bits < highest_bits) continue;
-      throw std::domain_error("the Sobolev exponent of filter " + definition.name +
-                              " is not known; its taps have too few digits: " + error.what());
-    }
+      return std::optional(sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings));
+    });
+  } catch (const std::domain_error& error) {
+    throw std::domain_error("the Sobolev exponent of filter " + definition.name +
+                            " is not known; its taps have too few digits: " + error.what());
   }
 }
 

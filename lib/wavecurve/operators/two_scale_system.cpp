@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -10,13 +9,11 @@
 #include <Spectra/GenEigsRealShiftSolver.h>
 #include <Spectra/MatOp/DenseGenRealShiftSolve.h>
 
+#include "wavecurve/filters/two_scale_matrix.hpp"
+
 namespace wavecurve {
 
 namespace {
-
-constexpr int highest_order = 16;
-
-int first_unknown(int d) { return d % 2 == 0 ? 0 : 1; }
 
 /// l^d (with 0^0 = 1) for each unknown, counted for l and -l: the left-hand side of the moment
 /// condition. It is also the left null vector of A up to the counting, which is why the last
@@ -24,7 +21,7 @@ int first_unknown(int d) { return d % 2 == 0 ? 0 : 1; }
 Eigen::VectorXd moment_row(Eigen::Index unknowns, int d) {
   Eigen::VectorXd row(unknowns);
   for (Eigen::Index i = 0; i < unknowns; ++i) {
-    const auto l = static_cast<double>(first_unknown(d) + i);
+    const auto l = static_cast<double>(first_two_scale_unknown(d) + i);
     row[i] = std::pow(l, d) * (l == 0 ? 1.0 : 2.0);
   }
   return row;
@@ -89,30 +86,9 @@ Eigen::VectorXd unscaled_null_vector(const Eigen::MatrixXd& a, int d, NullVector
 }  // namespace
 
 Eigen::MatrixXd two_scale_matrix(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d) {
-  if (d < 0 || d > highest_order) {
-    throw std::invalid_argument("derivative order " + std::to_string(d) + ": must lie in 0 .. " +
-                                std::to_string(highest_order));
-  }
-  if (alpha.size() < 2 + first_unknown(d)) {
-    throw std::invalid_argument(
-        "the two-scale system needs more autocorrelation coefficients than " +
-        std::to_string(alpha.size()));
-  }
-  const Eigen::Index support = alpha.size() - 1, first = first_unknown(d), n = support - first;
-  const auto at = [&](Eigen::Index k) {
-    return std::abs(k) < alpha.size() ? alpha[std::abs(k)] : 0.0;
-  };
-  const double scale = std::ldexp(1.0, d - 1), parity = d % 2 == 0 ? 1.0 : -1.0;
-  Eigen::MatrixXd a(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index l = first + i;
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Eigen::Index m = first + j;
-      const double mirrored = m == 0 ? 0.0 : parity * at(2 * l + m);
-      a(i, j) = scale * (at(2 * l - m) + mirrored) - (i == j ? 1.0 : 0.0);
-    }
-  }
-  return a;
+  using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto a = two_scale_matrix(Filter<double>{0, {alpha.begin(), alpha.end()}}, d);
+  return Eigen::Map<const ByRows>(a.data(), a.size(), a.size());
 }
 
 Eigen::VectorXd two_scale_null_vector(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d,

@@ -4,11 +4,8 @@
 
 namespace wavecurve {
 
-// The homogeneous two-scale system A mu = 0 of the publication, (3.10) and (3.11), for any
-// derivative order d = p + q and any autocorrelation alpha_0 .. alpha_P (P = alpha.size() - 1, the
-// support width):
-//   mu_l = 2^(d-1) sum_k alpha_k mu_{2l+k},  mu_{-l} = (-1)^d mu_l,  mu_l = 0 for l >= P.
-// Even d: unknowns mu_0 .. mu_{P-1}. Odd d: mu_1 .. mu_{P-1}, since mu_0 = 0.
+// The homogeneous two-scale system A mu = 0 of the publication, (3.10) and (3.11), in double
+// precision; filters/two_scale_matrix.hpp has its formula and which mu_l are its unknowns.
 
 /// How the null vector of A is found.
 enum class NullVectorMethod {
@@ -18,8 +15,8 @@ enum class NullVectorMethod {
   constrained,      ///< the last equation replaced by the moment condition (LU); the default
 };
 
-/// A, one row an equation. Throws std::invalid_argument if alpha has too few entries for one
-/// unknown, or d lies outside 0 .. 16.
+/// A, one row an equation, from alpha_0 .. alpha_P. Throws std::invalid_argument if alpha has too
+/// few entries for one unknown, or d lies outside 0 .. 16.
 Eigen::MatrixXd two_scale_matrix(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d = 2);
 
 /// The null vector, scaled to the moment condition sum_l l^d F^(d)(l) = (-1)^d d! over all integers

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/linear_solve.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
+#include "wavecurve/filters/two_scale_matrix.hpp"
 
 #include "verification/suite/claim.hpp"
-#include "verification/tables/exact_reduced_system.hpp"
+#include "verification/tables/moment_condition.hpp"
 
 namespace wavecurve::verification {
 
@@ -23,13 +25,13 @@ struct Rank {
 };
 
 template <class Scalar>
-bool is_regular_with_moment_condition(certified::SquareMatrix<Scalar> a) {
+bool is_regular_with_moment_condition(SquareMatrix<Scalar> a) {
   const auto right_hand_side = replace_by_moment_condition(a, a.size() - 1);
   return certified::solve(a, right_hand_side).has_value();
 }
 
 Rank exact_rank(const Filter<certified::Rational>& alpha) {
-  const auto a = exact_reduced_system(alpha);
+  const auto a = two_scale_matrix(alpha);
   const auto sums = weighted_by_squares(a);
   const bool vanishes =
       std::all_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.is_zero(); });
@@ -38,7 +40,7 @@ Rank exact_rank(const Filter<certified::Rational>& alpha) {
 
 Rank enclosed_rank(const FilterBank<certified::Ball>& bank) {
   const certified::WorkingPrecision precision(bits);
-  const auto a = exact_reduced_system(autocorrelation(bank.synthesis_low));
+  const auto a = two_scale_matrix(autocorrelation(bank.synthesis_low));
   certified::Ball largest(0);
   bool may_vanish = true;
   for (const certified::Ball& sum : weighted_by_squares(a)) {

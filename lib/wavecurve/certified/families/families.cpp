@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/refine.hpp"
 
 namespace wavecurve::certified {
 
@@ -42,18 +43,17 @@ std::vector<std::string> filter_names() {
 
 FilterBank<Ball> with_accuracy(long bits, const std::function<FilterBank<Ball>()>& make) {
   constexpr long guard_bits = 40;
-  constexpr int doublings = 6;
-  long working = bits + guard_bits;
-  for (int attempt = 0; attempt <= doublings; ++attempt, working *= 2) {
-    const WorkingPrecision precision(working);
-    FilterBank<Ball> bank = make();
-    const auto accurate = [&](const Filter<Ball>& filter) {
-      return std::all_of(filter.taps.begin(), filter.taps.end(), [&](const Ball& tap) {
-        return (tap.is_exact() && tap.contains_zero()) || tap.accuracy_bits() >= bits;
-      });
-    };
-    if (accurate(bank.analysis_low) && accurate(bank.synthesis_low)) return bank;
-  }
+  const auto accurate = [bits](const Filter<Ball>& filter) {
+    return std::all_of(filter.taps.begin(), filter.taps.end(), [bits](const Ball& tap) {
+      return (tap.is_exact() && tap.contains_zero()) || tap.accuracy_bits() >= bits;
+    });
+  };
+  FilterBank<Ball> bank;
+  const bool reached = refine(bits + guard_bits, [&](long) {
+    bank = make();
+    return accurate(bank.analysis_low) && accurate(bank.synthesis_low);
+  });
+  if (reached) return bank;
   throw std::runtime_error("a filter did not reach " + std::to_string(bits) + " bits of accuracy");
 }
 

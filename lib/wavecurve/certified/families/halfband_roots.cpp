@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/certified/detail/flint_roots.hpp"
+
 namespace wavecurve::certified {
 
 namespace {
