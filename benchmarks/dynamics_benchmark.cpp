@@ -19,6 +19,7 @@
 #include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
 #include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
@@ -26,15 +27,11 @@
 namespace wavecurve {
 namespace {
 
-int log2_of(Eigen::Index samples) {
-  return static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
-}
-
 /// An ellipse released towards the unit circle, D8, all levels, t from 0 to 1.
 dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
                                       dynamics::Material material = {}) {
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        material);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), material);
   const PeriodicTransform<double> transform(system.bank(), samples, system.levels());
   Eigen::VectorXd workspace(transform.workspace_size());
   Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);
@@ -155,8 +152,8 @@ void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
 
 void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditioned) {
   const Eigen::Index samples = state.range(0);
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        {});
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), {});
   dynamics::SystemOperator a(system, 1, 1);
   Eigen::VectorXd b(samples), x(samples);
   for (Eigen::Index i = 0; i < samples; ++i) {
@@ -172,7 +169,7 @@ void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditio
 
 /// M + 1e-4 K, well conditioned and with a sparse inverse up to a few hundred samples only.
 Eigen::SparseMatrix<double> damping_matrix(Eigen::Index samples) {
-  return damping(find_filter_bank<double>("db4"), samples, log2_of(samples), 1, 1e-4);
+  return damping(find_filter_bank<double>("db4"), samples, all_levels(samples), 1, 1e-4);
 }
 
 void schulz_dense(benchmark::State& state) {
@@ -203,8 +200,8 @@ void ldlt_inverse(benchmark::State& state) {
 /// C^-1 b by the Fourier transform: there is no need of the inverse.
 void fourier_solve(benchmark::State& state) {
   const Eigen::Index samples = state.range(0);
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        {1, 1, 0, 1, 1e-4, 0});
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), {1, 1, 0, 1, 1e-4, 0});
   const std::unique_ptr<dynamics::ModalBasis> basis = dynamics::fourier_basis(system);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
   for (auto _ : state) {

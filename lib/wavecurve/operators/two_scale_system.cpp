@@ -10,6 +10,8 @@
 #include <Spectra/GenEigsRealShiftSolver.h>
 #include <Spectra/MatOp/DenseGenRealShiftSolve.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve {
 
 namespace {
@@ -89,10 +91,7 @@ Eigen::VectorXd unscaled_null_vector(const Eigen::MatrixXd& a, int d, NullVector
 }  // namespace
 
 Eigen::MatrixXd two_scale_matrix(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d) {
-  if (d < 0 || d > highest_order) {
-    throw std::invalid_argument("derivative order " + std::to_string(d) + ": must lie in 0 .. " +
-                                std::to_string(highest_order));
-  }
+  check_between("derivative order", d, 0, highest_order);
   if (alpha.size() < 2 + first_unknown(d)) {
     throw std::invalid_argument(
         "the two-scale system needs more autocorrelation coefficients than " +
