@@ -13,6 +13,7 @@
 #include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
 #include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
@@ -21,10 +22,6 @@
 
 namespace wavecurve {
 namespace {
-
-int log2_of(Eigen::Index samples) {
-  return static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
-}
 
 double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
   return (solution.displacement.back() - exact.displacement.back()).norm() /
@@ -61,8 +58,8 @@ void solve_end(benchmark::State& state, const std::string& name, double accuracy
 
 void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditioned) {
   const Eigen::Index samples = state.range(0);
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        {});
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), {});
   dynamics::SystemOperator a(system, 1, 1);
   Eigen::VectorXd b(samples), x(samples);
   for (Eigen::Index i = 0; i < samples; ++i) {
@@ -78,7 +75,7 @@ void conjugate_gradients_iterations(benchmark::State& state, bool is_preconditio
 
 /// M + 1e-4 K, well conditioned and with a sparse inverse up to a few hundred samples only.
 Eigen::SparseMatrix<double> damping_matrix(Eigen::Index samples) {
-  return damping(find_filter_bank<double>("db4"), samples, log2_of(samples), 1, 1e-4);
+  return damping(find_filter_bank<double>("db4"), samples, all_levels(samples), 1, 1e-4);
 }
 
 void schulz_dense(benchmark::State& state) {
@@ -109,8 +106,8 @@ void ldlt_inverse(benchmark::State& state) {
 /// C^-1 b by the Fourier transform: there is no need of the inverse.
 void fourier_solve(benchmark::State& state) {
   const Eigen::Index samples = state.range(0);
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        {1, 1, 0, 1, 1e-4, 0});
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), {1, 1, 0, 1, 1e-4, 0});
   const std::unique_ptr<dynamics::ModalBasis> basis = dynamics::fourier_basis(system);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
   for (auto _ : state) {

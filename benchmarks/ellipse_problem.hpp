@@ -4,6 +4,7 @@
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -11,8 +12,8 @@ namespace wavecurve {
 /// An ellipse released towards the unit circle, D8, all levels, t from 0 to 1.
 inline dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
                                              dynamics::Material material = {}) {
-  const int levels = static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
-  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, levels, material);
+  const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
+                                        all_levels(samples), material);
   const PeriodicTransform<double> transform(system.bank(), samples, system.levels());
   Eigen::VectorXd workspace(transform.workspace_size());
   Eigen::MatrixXd fine(samples, 2), displacement(samples, 2);

@@ -20,6 +20,7 @@
 #include <benchmark/benchmark.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
 #include "wavecurve/operators/spectrum.hpp"
@@ -32,8 +33,6 @@ const FilterBank<double>& d8() {
   static const FilterBank<double> bank = find_filter_bank<double>("db4");
   return bank;
 }
-
-int all_levels(Eigen::Index samples) { return samples == 1 ? 0 : 1 + all_levels(samples / 2); }
 
 /// Seconds per item, shown as such with the prefix n.
 benchmark::Counter time_per(double items) {

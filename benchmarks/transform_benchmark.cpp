@@ -44,6 +44,7 @@
 
 #include "wavecurve/filters/filter_tables.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -53,8 +54,6 @@ const FilterBank<double>& d8() {
   static const FilterBank<double> bank = find_filter_bank<double>("db4");
   return bank;
 }
-
-int all_levels(Eigen::Index samples) { return samples == 1 ? 0 : 1 + all_levels(samples / 2); }
 
 /// Seconds a sample; processor time, since the machine may be shared.
 void count_samples(benchmark::State& state, Eigen::Index samples) {

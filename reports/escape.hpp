@@ -1,12 +1,10 @@
 #pragma once
 
-#include <string>
-#include <string_view>
+#include "wavecurve/io/files/xml_escaped.hpp"
 
 namespace wavecurve::reports {
 
-/// Text made fit for HTML and SVG, between tags as well as within quoted attributes. Control
-/// characters, which neither allows, become U+FFFD.
-std::string escape(std::string_view text);
+/// What the pages call it.
+inline std::string escape(std::string_view text) { return io::xml_escaped(text); }
 
 }  // namespace wavecurve::reports

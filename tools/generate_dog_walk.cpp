@@ -31,9 +31,7 @@ std::string dog_walk() {
       gait::canine_joints(gait::drawn_dog(), gait::find_canine_gait("walk"), phases);
   std::string text =
       "# The walk of the dog in dog.svg, written by generate_dog_walk; sources in "
-      "canine_joints.hpp "
-      "and canine_gaits.hpp\n"
-      "frame,t,limb,joint,x,y\n";
+      "canine_joints.hpp and canine_gaits.hpp\nframe,t,limb,joint,x,y\n";
   for (Eigen::Index i = 0; i < phases.size(); ++i) {
     for (const gait::LimbTrack& limb : walk.limbs) {
       const std::vector<std::string>& names = joint_names(limb.limb);

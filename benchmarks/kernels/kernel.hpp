@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "wavecurve/filters/whole_numbers.hpp"
+
 namespace wavecurve::tracking {
 
 /// A marked kernel: a fixed amount of work, known by its name for as long as the history lasts.
@@ -41,8 +43,5 @@ std::vector<Kernel> plain_kernels();
 
 /// Throws std::invalid_argument naming those there are; knows the plain ones too.
 Kernel find_kernel(const std::string& name);
-
-/// J of 2^J samples.
-int all_levels(Eigen::Index samples);
 
 }  // namespace wavecurve::tracking

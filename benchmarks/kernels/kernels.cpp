@@ -1,5 +1,6 @@
-#include <bit>
 #include <stdexcept>
+
+#include "wavecurve/filters/bad_value.hpp"
 
 #include "benchmarks/kernels/kernel.hpp"
 
@@ -15,18 +16,14 @@ std::vector<Kernel> kernels() {
 }
 
 Kernel find_kernel(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const auto& list : {kernels(), plain_kernels()}) {
     for (const Kernel& kernel : list) {
       if (kernel.name == name) return kernel;
-      known += (known.empty() ? "" : ", ") + kernel.name;
+      known.push_back(kernel.name);
     }
   }
-  throw std::invalid_argument("kernel '" + name + "': there are " + known);
-}
-
-int all_levels(Eigen::Index samples) {
-  return std::bit_width(static_cast<std::size_t>(samples)) - 1;
+  throw std::invalid_argument(unknown_name("kernel", name, known));
 }
 
 }  // namespace wavecurve::tracking

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -133,11 +132,10 @@ reports::Page history_page(const std::vector<Json>& history) {
   }
   const Paragraph how{
       "Times are processor times, the median of a record's repetitions with their range; a "
-      "record's "
-      "machine was shared. The limits are measured in the same record: a copy of the data that the "
-      "kernel must read and write, by memcpy, and its additions and multiplications at the rate of "
-      "independent ones in the widest vectors. Change points (dotted lines) minimise penalised "
-      "squares of the logarithms; a record from another machine makes one of its own. "
+      "record's machine was shared. The limits are measured in the same record: a copy of the data "
+      "that the kernel must read and write, by memcpy, and its additions and multiplications at "
+      "the rate of independent ones in the widest vectors. Change points (dotted lines) minimise "
+      "penalised squares of the logarithms; a record from another machine makes one of its own. "
       "docs/how-to-read-benchmarks.md has the statistics."};
   const std::string generated =
       fmt::format("{} record{}, the latest of {} at revision {} on {}", history.size(),

@@ -72,8 +72,7 @@ const std::vector<Reason> reasons{
     {"transform", "memcpy",
      "A copy is the physical limit, not a peer. Within the caches shuffles bound the transform: 16 "
      "samples of a level are 10 multiplications, 8 additions and 5 shuffles of 512 bits; beyond "
-     "them "
-     "three levels pass at once, which reads and writes half as much again (head of "
+     "them three levels pass at once, which reads and writes half as much again (head of "
      "benchmarks/transform_benchmark.cpp, with what was tried)."},
 };
 
@@ -154,10 +153,9 @@ reports::Page peers_page(const Build& build, const fs::path& root, const PeersOp
   const Table digits = digits_table(build, root);
   const Paragraph how{
       "Each pair is timed in blocks ours, peer, peer, ours (or the other way round), every time by "
-      "a "
-      "process of its own, all pairs in random order in each round. The ratio is the median of the "
-      "blocks, above 1 where the peer takes longer; its interval is a bootstrap one. A win or a "
-      "loss needs an interval without 1 and 5 % of difference."};
+      "a process of its own, all pairs in random order in each round. The ratio is the median of "
+      "the blocks, above 1 where the peer takes longer; its interval is a bootstrap one. A win or "
+      "a loss needs an interval without 1 and 5 % of difference."};
   const std::string date = "Measured on " + date_now();
   return {
       "This library beside its peers",

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <boost/math/distributions/students_t.hpp>
+#include <fmt/format.h>
 
 namespace wavecurve::tracking {
 
@@ -22,13 +23,13 @@ double mean(const std::vector<double>& values) {
 
 void check(const std::vector<double>& sizes, const std::vector<double>& costs) {
   if (sizes.size() < 3 || sizes.size() != costs.size()) {
-    throw std::invalid_argument("a growth of " + std::to_string(sizes.size()) + " sizes and " +
-                                std::to_string(costs.size()) + " costs: at least 3 of each");
+    throw std::invalid_argument(fmt::format("a growth of {} sizes and {} costs: at least 3 of each",
+                                            sizes.size(), costs.size()));
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (!(sizes[i] >= 2) || !(costs[i] > 0)) {
-      throw std::invalid_argument("size " + std::to_string(sizes[i]) + " with cost " +
-                                  std::to_string(costs[i]) + ": at least 2, and above 0");
+      throw std::invalid_argument(
+          fmt::format("size {} with cost {}: at least 2, and above 0", sizes[i], costs[i]));
     }
   }
 }

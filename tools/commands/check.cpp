@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/csv.hpp"
+
 #include "tools/commands/commands.hpp"
 #include "verification/tables/check_table.hpp"
 
@@ -58,20 +60,13 @@ std::string as_json(const CheckedTable& table) {
   return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string as_csv(const CheckedTable& table) {
   std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail,route\n";
   for (const CheckedRow& row : table.rows) {
-    result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", csv_field(row.entry.filter),
+    result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", io::csv_field(row.entry.filter),
                           to_string(row.entry.quantity), row.entry.index,
-                          csv_field(row.entry.printed), to_string(row.verdict), row.certified,
-                          row.ulps, csv_field(row.detail), csv_field(row.route));
+                          io::csv_field(row.entry.printed), to_string(row.verdict), row.certified,
+                          row.ulps, io::csv_field(row.detail), io::csv_field(row.route));
   }
   return result;
 }

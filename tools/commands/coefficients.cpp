@@ -49,8 +49,8 @@ Orders parse_orders(const std::string& text) {
   };
   if (comma == std::string::npos || !number(std::string_view(text).substr(0, comma), orders.p) ||
       !number(std::string_view(text).substr(comma + 1), orders.q)) {
-    throw std::invalid_argument("--derivatives takes two whole numbers p,q such as 1,1, not '" +
-                                text + "'");
+    throw std::invalid_argument(
+        must_be("--derivatives", text, "two whole numbers p,q such as 1,1"));
   }
   return orders;
 }

@@ -1,21 +1,19 @@
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
-#include "wavecurve/io/drawings/read_drawing.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/drawing_input.hpp"
 
 namespace wavecurve::tools {
 
@@ -32,7 +30,7 @@ struct Options {
 
 int default_levels(Eigen::Index samples) {
   constexpr int coarsest = 4;  // log2 of 16, the publication's coarsest scale of 1024 samples
-  return std::max(0, std::countr_zero(static_cast<std::uint64_t>(samples)) - coarsest);
+  return std::max(0, all_levels(samples) - coarsest);
 }
 
 Descriptor described(const Options& options) {
@@ -44,11 +42,7 @@ Descriptor described(const Options& options) {
   how.mode = options.interpolate ? SampleMode::interpolate : SampleMode::samples;
   how.corners = options.keep_corners ? Corners::kept : Corners::ignored;
   multiscale_bands(how.samples, how.levels);
-  const io::DrawingFile file = io::read_drawing(options.input);
-  for (const std::string& warning : file.warnings) {
-    std::fprintf(stderr, "wavecurve: %s: %s\n", options.input.c_str(), warning.c_str());
-  }
-  Descriptor descriptor = describe(file.drawing, bank, how);
+  Descriptor descriptor = describe(drawing_of(options.input), bank, how);
   // A file's taps are found again by its path.
   if (options.filter.ends_with(".json")) descriptor.filter = options.filter;
   return descriptor;

@@ -110,10 +110,11 @@ TEST_F(DescribeCommand, RefusesBadInput) {
   expect_refusal("describe same.csv", "same.csv");
   EXPECT_EQ(wavecurve("describe " + three + " -o missing/d.json").exit_code, 3);
   ASSERT_EQ(wavecurve("describe " + three + " -o d.json").exit_code, 0);
-  expect_refusal("reconstruct d.json -o d.png", "must end in .svg or .csv");
+  expect_refusal("reconstruct d.json -o d.png", "but must be a file ending in .svg or .csv");
   expect_refusal("reconstruct d.json --scale 8 -o d.svg", "scale is 8");
   expect_refusal("reconstruct d.json --scale 24 -o d.svg", "scale is 24");
-  expect_refusal("reconstruct d.json --scale many -o d.svg", "scale is 'many'");
+  expect_refusal("reconstruct d.json --scale many -o d.svg",
+                 "--scale is 'many', but must be a number");
   expect_refusal("reconstruct point.csv -o d.svg", "point.csv: not a descriptor");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "d.svg"));
 }

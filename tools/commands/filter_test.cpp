@@ -73,7 +73,7 @@ TEST_F(FilterCommand, TextNamesTheDiagnostics) {
 
 TEST_F(FilterCommand, RefusesBadInput) {
   expect_refusal("filter nope", "unknown filter 'nope'");
-  expect_refusal("filter db39", "must lie in 1 .. 38");
+  expect_refusal("filter db39", "the order of filter db39 is 39, but must be from 1 to 38");
   expect_refusal("filter bspline3.4", "must be even");
   expect_refusal("filter db4 --digits 0", "--digits");
   expect_refusal("filter db4 --format xml", "--format");

@@ -1,9 +1,7 @@
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,7 +9,6 @@
 
 #include "wavecurve/io/animations/animation_sheet.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
-#include "wavecurve/io/drawings/read_drawing.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/tracks/gait_parameters_json.hpp"
@@ -20,6 +17,7 @@
 #include "wavecurve/motion/gait/walk/gait_animation.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/drawing_input.hpp"
 #include "tools/commands/gait_table.hpp"
 #include "tools/commands/progress.hpp"
 
@@ -38,32 +36,11 @@ struct FitOptions {
   std::vector<double> key_frames;
 };
 
-gait::GaitModel named_model(const std::string& name) {
-  if (const auto model = gait::find_gait_model(name)) return *model;
-  std::string known;
-  for (gait::GaitModel model : gait::gait_models) {
-    known += (known.empty() ? "" : ", ") + std::string(gait::model_name(model));
-  }
-  throw std::invalid_argument(fmt::format("there is no model '{}'; there are {}", name, known));
-}
-
-/// None: all points.
-std::optional<Eigen::Index> scale_of(const std::string& text) {
-  if (text == "full") return std::nullopt;
-  Eigen::Index scale = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::invalid_argument(
-        fmt::format("--scale takes a number of control points or full, not '{}'", text));
-  }
-  return scale;
-}
-
 void fit(const FitOptions& options) {
   gait::GaitFitOptions how{io::load_filter_bank(options.filter), options.filter};
-  how.scale = scale_of(options.scale);
+  how.scale = parsed_scale(options.scale);
   if (!options.models.empty()) how.models.clear();
-  for (const std::string& name : options.models) how.models.push_back(named_model(name));
+  for (const std::string& name : options.models) how.models.push_back(gait::find_gait_model(name));
   if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
   const gait::LimbTracks tracks =
       io::read_limb_tracks({options.tracks.begin(), options.tracks.end()}, options.reading);
@@ -154,20 +131,14 @@ void write(const SynthesisOptions& options, const gait::GaitAnimation& walk) {
 }
 
 void synthesize(const SynthesisOptions& options) {
-  if (options.sheet && !options.output.ends_with(".svg")) {
-    throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
-  }
+  check_sheet(options.sheet, options.output);
   gait::GaitAnimationOptions how = options.animation;
   if (!options.gait.empty()) how.gait = gait::find_canine_gait(options.gait);
   const gait::GaitParameters parameters = io::read_gait_parameters(options.parameters);
   how.bank = io::load_filter_bank(parameters.filter);
   how.cycle_duration = cycle_duration(options, parameters);
   if (options.smooth) how.continuity = gait::Continuity::velocity;
-  io::DrawingFile drawing = io::read_drawing(options.drawing);
-  for (const std::string& warning : drawing.warnings) {
-    fmt::print(stderr, "wavecurve: {}: {}\n", options.drawing, warning);
-  }
-  const gait::GaitAnimation walk = gait::animate_gait(parameters, drawing.drawing, how);
+  const gait::GaitAnimation walk = gait::animate_gait(parameters, drawing_of(options.drawing), how);
   write(options, walk);
   fmt::print(
       "stride {:.4g} units of the drawing, {:.4g} seconds a cycle\n"

@@ -142,9 +142,10 @@ TEST_F(GaitCommand, RefusesBadKeyFramesScalesAndModels) {
   const std::string fit = "gait fit good.csv --scale full -o p.json ";
   expect_refusal(fit + "--key-frames 5,90", "key frame 2 is at 90, but the record is from 0 to 23");
   expect_refusal(fit + "--key-frames 5,5", "key frame 2 is 0 after key frame 1");
-  expect_refusal(fit + "--model septic", "there is no model 'septic'");
+  expect_refusal(fit + "--model septic", "unknown model 'septic'; known: linear, quadratic");
   expect_refusal("gait fit good.csv --scale 3 -o p.json", "scale is 3");
-  expect_refusal("gait fit good.csv --scale few -o p.json", "'few'");
+  expect_refusal("gait fit good.csv --scale few -o p.json",
+                 "--scale is 'few', but must be a number");
   expect_refusal("gait fit good.csv", "--output");
   expect_refusal("gait", "subcommand");
 }
@@ -153,14 +154,15 @@ TEST_F(GaitCommand, RefusesBadSyntheses) {
   fit_example();
   const std::string dog = example("dog.svg");
   expect_refusal("gait synthesize walk.json " + dog + " --gait amble -o out.svg",
-                 "there is no gait 'amble'");
+                 "unknown gait 'amble'; known: walk");
   expect_refusal("gait synthesize walk.json " + example("face-dog.svg") + " -o out.svg",
                  "the drawing has no layer 'LF'");
   expect_refusal("gait synthesize walk.json " + dog + " --frames 1 -o out.svg", "frames is 1");
   expect_refusal("gait synthesize walk.json " + dog + " --cycles 0 -o out.svg", "cycles is 0");
   expect_refusal("gait synthesize walk.json " + dog + " --scale 3 -o out.svg", "scale is 3");
   expect_refusal("gait synthesize walk.json " + dog + " --period 0 -o out.svg", "0 seconds");
-  expect_refusal("gait synthesize walk.json " + dog + " --sheet -o out.html", "a sheet is an .svg");
+  expect_refusal("gait synthesize walk.json " + dog + " --sheet -o out.html",
+                 "the file of a sheet is 'out.html', but must be");
   expect_refusal("gait synthesize walk.json " + dog + " -o out.bmp", "out.bmp");
   write("other.json", "{}");
   expect_refusal("gait synthesize other.json " + dog + " -o out.svg", "wavecurve-gait");

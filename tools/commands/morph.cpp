@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -9,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/animation_sheet.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
-#include "wavecurve/io/drawings/read_drawing.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/motion/ease.hpp"
@@ -21,6 +20,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/crossings_table.hpp"
+#include "tools/commands/drawing_input.hpp"
 #include "tools/commands/motion_options.hpp"
 #include "tools/commands/progress.hpp"
 
@@ -53,19 +53,12 @@ struct Options {
   bool loop = false, sheet = false, rotation = false;
 };
 
-std::optional<Eigen::Index> parsed_number(std::string_view text) {
-  Eigen::Index number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// The two sides of the last =, since an id may hold one too.
 std::pair<std::string, std::string> parsed_pair(const std::string& text, const char* option,
                                                 const char* form) {
   const auto equals = text.rfind('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    throw std::invalid_argument(fmt::format("{} takes {}, not '{}'", option, form, text));
+    throw std::invalid_argument(must_be(option, text, form));
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
@@ -73,21 +66,15 @@ std::pair<std::string, std::string> parsed_pair(const std::string& text, const c
 motion::MorphOptions morph_options(const Options& options) {
   motion::MorphOptions morph = options.morph;
   morph.bank = io::load_filter_bank(options.filter);
-  if (options.scale != "full") {
-    morph.scale = parsed_number(options.scale);
-    if (!morph.scale) {
-      throw std::invalid_argument(
-          fmt::format("--scale takes a number of control points or full, not '{}'", options.scale));
-    }
-  }
+  morph.scale = parsed_scale(options.scale);
   for (const std::string& text : options.map) {
-    morph.map.push_back(parsed_pair(text, "--map", "two layers a=b"));
+    morph.map.push_back(parsed_pair(text, "--map", "two layers, a=b"));
   }
   for (const std::string& text : options.starts) {
     const auto [layer, start] = parsed_pair(text, "--start", "a layer and a point, layer=17");
     const auto number = parsed_number(start);
     if (!number) {
-      throw std::invalid_argument(fmt::format("--start takes a point's number, not '{}'", start));
+      throw std::invalid_argument(must_be("--start", start, "the number of a point"));
     }
     morph.starts.emplace_back(layer, *number);
   }
@@ -96,14 +83,6 @@ motion::MorphOptions morph_options(const Options& options) {
   const bool avoid = options.crossings == Crossings::avoid;
   morph.detail = options.detail.value_or(avoid ? motion::Detail::stage : motion::Detail::blend);
   return morph;
-}
-
-Drawing read(const std::string& path) {
-  io::DrawingFile file = io::read_drawing(path);
-  for (const std::string& warning : file.warnings) {
-    fmt::print(stderr, "wavecurve: {}: {}\n", path, warning);
-  }
-  return std::move(file.drawing);
 }
 
 /// The normalised times of the frames but the first and the last.
@@ -155,17 +134,12 @@ void write(const Options& options, int frames, const motion::Morph& morph) {
 }
 
 void check(const Options& options, int frames) {
-  if (frames < 2) {
-    throw std::invalid_argument(fmt::format("--frames is {}, but must be at least 2", frames));
-  }
+  check_at_least("--frames", frames, 2);
   if (!(options.morph.duration > 0 && options.morph.duration <= 86400)) {
     throw std::invalid_argument(
-        fmt::format("--duration is {} seconds, but must be more than 0 and at most 86400",
-                    options.morph.duration));
+        must_be("--duration", options.morph.duration, "above 0 and at most 86400 seconds"));
   }
-  if (options.sheet && !options.output.ends_with(".svg")) {
-    throw std::invalid_argument(fmt::format("a sheet is an .svg file, not '{}'", options.output));
-  }
+  check_sheet(options.sheet, options.output);
   options.motion.check();
   if (options.motion.is_physical() && options.crossings != Crossings::ignored) {
     throw std::invalid_argument("--crossings takes --motion linear, not physical");
@@ -176,7 +150,7 @@ void run(const Options& options) {
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   check(options, frames);
   const motion::MorphOptions how = morph_options(options);
-  const Drawing source = read(options.source), destination = read(options.destination);
+  const Drawing source = drawing_of(options.source), destination = drawing_of(options.destination);
   const std::vector<double> taus = inner_times(frames, options.ease);
   motion::Morph morph;
   std::string text;

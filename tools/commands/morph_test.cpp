@@ -112,7 +112,7 @@ TEST_F(MorphCommand, RefusesBadMotion) {
   expect_refusal(physical + "--force 1,inf", "force is 1, inf");
   expect_refusal(physical + "--until never", "'never'");
   expect_refusal(physical + "--until 0", "until is 0");
-  expect_refusal(physical + "--solver magic", "must be one of spectral, decoupled");
+  expect_refusal(physical + "--solver magic", "unknown solver 'magic'; known: spectral, decoupled");
   expect_refusal(physical + "--solver massless", "density is 1, but must be 0");
   expect_refusal(physical + "--scale 3", "scale is 3");
   EXPECT_FALSE(is_there("out.json"));
@@ -127,15 +127,17 @@ TEST_F(MorphCommand, RefusesBadInput) {
   expect_refusal("morph a.svg b.svg -o out.json --samples 100", "samples is 100");
   expect_refusal("morph a.svg b.svg -o out.json --samples 2", "samples is 2");
   expect_refusal("morph a.svg b.svg -o out.json --scale 7", "scale is 7");
-  expect_refusal("morph a.svg b.svg -o out.json --scale fine", "'fine'");
+  expect_refusal("morph a.svg b.svg -o out.json --scale fine",
+                 "--scale is 'fine', but must be a number");
   expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames is 1");
   expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration is 0");
   expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
   expect_refusal("morph a.svg b.svg -o out.json --map face", "two layers a=b");
-  expect_refusal("morph a.svg b.svg -o out.json --map face=nose", "no layer 'nose'");
+  expect_refusal("morph a.svg b.svg -o out.json --map face=nose", "unknown layer of the destination 'nose'; known: ");
   expect_refusal("morph a.svg b.svg -o out.json --start face=x", "'x'");
   expect_refusal("morph a.svg b.svg -o out.json --start face=5000", "5000");
-  expect_refusal("morph a.svg b.svg -o out.json --sheet", "a sheet is an .svg");
+  expect_refusal("morph a.svg b.svg -o out.json --sheet",
+                 "the file of a sheet is 'out.json', but must be");
   expect_refusal("morph a.svg b.svg", "--output");
   EXPECT_FALSE(is_there("out.json"));
   EXPECT_EQ(wavecurve("morph a.svg b.svg -o missing/out.json").exit_code, 3);

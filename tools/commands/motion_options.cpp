@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::tools {
 
 void MotionOptions::add_to(CLI::App* command) {
@@ -59,7 +61,7 @@ motion::PhysicalOptions MotionOptions::physical(int frames) const {
   const auto [end, error] = std::from_chars(until_.data(), until_.data() + until_.size(), until);
   if (error != std::errc() || end != until_.data() + until_.size()) {
     throw std::invalid_argument(
-        fmt::format("--until takes a number of units of time or settled, not '{}'", until_));
+        must_be("--until", until_, "a number of units of time, or settled"));
   }
   options.until = until;
   return options;

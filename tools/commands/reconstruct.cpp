@@ -1,4 +1,3 @@
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"
@@ -14,6 +14,7 @@
 #include "wavecurve/motion/animation.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/drawing_input.hpp"
 
 namespace wavecurve::tools {
 
@@ -26,22 +27,9 @@ struct Options {
 std::string checked_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
   if (ending != ".svg" && ending != ".csv") {
-    throw std::invalid_argument(
-        fmt::format("output is '{}', but must end in .svg or .csv", output));
+    throw std::invalid_argument(must_be("output", output, "a file ending in .svg or .csv"));
   }
   return ending;
-}
-
-Eigen::Index scale_of(const std::string& text, Eigen::Index samples) {
-  if (text == "full") return samples;
-  long scale = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, scale);
-  if (error != std::errc() || stopped != end) {
-    throw std::invalid_argument(
-        fmt::format("scale is '{}', but must be a number of coefficients, or full", text));
-  }
-  return scale;
 }
 
 /// A picture that stands still.
@@ -76,7 +64,7 @@ void run(const Options& options) {
   const std::string ending = checked_ending(options.output);
   const Descriptor descriptor = io::read_descriptor(options.input);
   const motion::Animation still =
-      reconstructed(descriptor, scale_of(options.scale, descriptor.options.samples));
+      reconstructed(descriptor, parsed_scale(options.scale).value_or(descriptor.options.samples));
   io::OutputOptions output;
   output.accuracy = 1e-6;
   io::write_file(options.output,

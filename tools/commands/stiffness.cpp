@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/matrix_market.hpp"
 #include "wavecurve/io/matrix_picture.hpp"
-#include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/spectrum.hpp"
@@ -30,8 +31,8 @@ struct Options {
 void check_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
   if (!output.empty() && ending != ".mtx" && ending != ".svg") {
-    throw std::invalid_argument(fmt::format(
-        "output is '{}', but must end in .mtx (MatrixMarket) or .svg (picture)", output));
+    throw std::invalid_argument(
+        must_be("output", output, "a file ending in .mtx (MatrixMarket) or .svg (picture)"));
   }
 }
 
@@ -72,11 +73,10 @@ void run(const Options& options) {
   check_ending(options.output);
   const FilterBank<double> bank = io::load_filter_bank(options.name);
   if (options.samples < 2) {
-    throw std::invalid_argument(
-        fmt::format("samples is {}, but must be a power of two from 2 on", options.samples));
+    throw std::invalid_argument(must_be("samples", options.samples, "a power of two from 2 on"));
   }
-  const int all_levels = checked_log2(options.samples);
-  const int levels = options.levels < 0 ? all_levels : options.levels;
+  const int most = checked_log2(options.samples);
+  const int levels = options.levels < 0 ? most : options.levels;
   const Eigen::SparseMatrix<double> k = stiffness(bank, options.samples, levels);
   const ExtremeEigenvalues ends = extreme_eigenvalues(bank, options.samples, levels, 1);
   const double first_vibration = vibration_eigenvalues(bank, options.samples)[1];

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/csv.hpp"
+
 namespace wavecurve::tools {
 
 namespace {
@@ -53,13 +55,6 @@ std::string setting_text(const StudySetting& setting, const std::vector<StudyPoi
   return text;
 }
 
-/// A field between quotes, quotes within doubled.
-std::string quoted(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
 }  // namespace
 
 std::string study_text(const std::vector<StudyPoint>& points, const StudySummary& summary) {
@@ -88,9 +83,10 @@ std::string study_csv(const std::vector<StudyPoint>& points) {
       "seconds,status\n";
   for (const StudyPoint& point : points) {
     const StudySetting& s = point.setting;
-    text += fmt::format("{},{},{},{},{},{},{},{},", point.solver, quoted(s.filter), s.samples,
-                        s.levels, quoted(s.shape), s.mass_damping, s.stiffness_damping,
-                        point.tolerance ? fmt::format("{}", *point.tolerance) : "");
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},", point.solver, io::csv_field(s.filter), s.samples,
+                    s.levels, io::csv_field(s.shape), s.mass_damping, s.stiffness_damping,
+                    point.tolerance ? fmt::format("{}", *point.tolerance) : "");
     if (const auto& e = point.errors) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},ok\n", e->displacement_l2_max,
                           e->displacement_l2_final, e->maximum_norm_max, e->maximum_norm_final,

@@ -11,6 +11,8 @@
 
 #include <fmt/core.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 #include "reports/terminal_table.hpp"
 #include "reports/write_report.hpp"
 #include "tools/commands/commands.hpp"
@@ -43,8 +45,8 @@ std::vector<Claim> chosen_claims(const std::vector<std::string>& only) {
   if (only.empty()) return claims();
   for (const std::string& id : only) {
     if (std::ranges::find(claims(), id, &Claim::id) == claims().end()) {
-      throw std::invalid_argument(
-          fmt::format("--only {}: no such claim (wavecurve verify --list names them)", id));
+      throw std::invalid_argument(unknown_name("claim", id, claims(), &Claim::id) +
+                                  "; wavecurve verify --list says what they are");
     }
   }
   std::vector<Claim> chosen;

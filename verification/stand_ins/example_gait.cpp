@@ -34,13 +34,9 @@ std::vector<motion::FrameLayer> recorded_frame(std::size_t frame) {
   static const Drawing dog = example_drawing("dog.svg");
   std::vector<motion::FrameLayer> layers;
   for (const Layer& layer : dog.layers) {
-    const auto& limbs = example_walk().limbs;
-    const auto limb = std::find_if(limbs.begin(), limbs.end(), [&](const gait::LimbTrack& track) {
-      return track.limb == layer.id;
-    });
-    const bool recorded = limb != limbs.end();
+    const gait::LimbTrack* const limb = gait::find_track(example_walk(), layer.id);
     layers.push_back({layer.id,
-                      recorded ? std::vector{limb->outlines.at(frame)} : sample_layer(layer, 256),
+                      limb ? std::vector{limb->outlines.at(frame)} : sample_layer(layer, 256),
                       layer.paint});
   }
   return layers;

@@ -22,9 +22,7 @@ struct Events {
 
 Events events_of(const gait::LimbTracks& tracks, const gait::GaitCycle& cycle,
                  const gait::LimbCycle& limb) {
-  const auto track =
-      std::find_if(tracks.limbs.begin(), tracks.limbs.end(),
-                   [&](const gait::LimbTrack& one) { return one.limb == limb.limb; });
+  const gait::LimbTrack* const track = gait::find_track(tracks, limb.limb);
   const Index steps = tracks.times.size() - 1;
   VectorXd time(steps), excess(steps);  // of the speed backwards, over half of the ground's
   for (Index i = 0; i < steps; ++i) {

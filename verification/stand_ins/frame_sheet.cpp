@@ -3,26 +3,12 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/animations/control_points.hpp"
-#include "wavecurve/io/drawings/svg_paint.hpp"
 
 namespace wavecurve::verification {
 
 namespace {
 
 constexpr double cell = 150, gap = 8, label_width = 56, title_height = 24;
-
-std::string layers_svg(const std::vector<motion::FrameLayer>& layers,
-                       const io::Decimals& decimals) {
-  std::string svg;
-  for (const motion::FrameLayer& layer : layers) {
-    svg += "<path";
-    for (const auto& [name, value] : io::svg_paint(layer.paint)) {
-      svg += fmt::format(" {}=\"{}\"", name, value);
-    }
-    svg += fmt::format(" d=\"{}\"/>\n", io::path_data(layer.contours, false, decimals));
-  }
-  return svg;
-}
 
 }  // namespace
 
@@ -47,7 +33,7 @@ std::string frame_sheet(const std::vector<SheetRow>& rows, const std::vector<std
           "stroke-width=\"{:.2f}\"/>\n{}</svg>\n",
           label_width + static_cast<double>(j) * (cell + gap), y, cell, height, box.x, box.y,
           box.width, box.height, box.x, ground, box.width, box.width / cell,
-          layers_svg(row.frames[j], decimals));
+          io::layers_svg(row.frames[j], false, decimals));
     }
     y += height + gap;
   }

@@ -1,19 +1,17 @@
 #include "verification/study/named_shapes.hpp"
 
-#include <bit>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
 namespace wavecurve::verification {
@@ -66,9 +64,9 @@ Contour named_shape(std::string_view name, Index samples) {
       return (1 - 0.6 * std::exp(-place * place)) * on_circle(x);
     });
   }
-  throw std::invalid_argument(
-      fmt::format("shape is \"{}\", but must be one of {}, or a file ending in .svg or .csv", name,
-                  fmt::join(shape_names(), ", ")));
+  std::vector<std::string> known = shape_names();
+  known.emplace_back("a file ending in .svg or .csv");
+  throw std::invalid_argument(unknown_name("shape", name, known));
 }
 
 Contour deformed_hoop(Index samples) {
@@ -114,7 +112,5 @@ dynamics::InitialValueProblem released(const dynamics::LagrangeSystem& system, c
   problem.rest = coefficients(circle);
   return problem;
 }
-
-int all_levels(Index samples) { return std::countr_zero(static_cast<std::uint64_t>(samples)); }
 
 }  // namespace wavecurve::verification

@@ -6,6 +6,7 @@
 
 #include "wavecurve/curves/contour.hpp"
 #include "wavecurve/dynamics/initial_value_problem.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 
 namespace wavecurve::verification {
 
@@ -40,8 +41,5 @@ Contour shape_of(const std::string& name_or_file, Eigen::Index samples);
 /// shape differs from the circle by.
 dynamics::InitialValueProblem released(const dynamics::LagrangeSystem& system, const Contour& shape,
                                        const Eigen::Ref<const Eigen::VectorXd>& times);
-
-/// The number of levels down to one coefficient.
-int all_levels(Eigen::Index samples);
 
 }  // namespace wavecurve::verification

@@ -62,10 +62,5 @@ TEST(Released, TakesSamplesAsCoefficientsAndStartsAtRest) {
   EXPECT_EQ(problem.velocity.size(), 0);
 }
 
-TEST(AllLevels, GoDownToOneCoefficient) {
-  EXPECT_EQ(all_levels(4), 2);
-  EXPECT_EQ(all_levels(1024), 10);
-}
-
 }  // namespace
 }  // namespace wavecurve::verification

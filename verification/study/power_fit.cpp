@@ -7,6 +7,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::verification {
 
 namespace {
@@ -16,7 +18,7 @@ Eigen::ArrayXd logarithms(const char* name, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] > 0)) {
       throw std::invalid_argument(
-          fmt::format("{} of pair {} is {}, but must be above 0", name, i, values[i]));
+          must_be(fmt::format("{} of pair {}", name, i), values[i], "above 0"));
     }
     logs[static_cast<Eigen::Index>(i)] = std::log(values[i]);
   }

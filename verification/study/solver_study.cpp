@@ -1,26 +1,22 @@
 #include "verification/study/solver_study.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <exception>
 #include <limits>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "wavecurve/certified/thread_cache.hpp"
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "verification/study/motion_error.hpp"
 #include "verification/study/named_shapes.hpp"
+#include "verification/suite/on_all_cores.hpp"
 
 namespace wavecurve::verification {
 
@@ -178,30 +174,15 @@ Work prepared(const StudyPlan& plan, const std::vector<StudyPoint>& known) {
 
 /// On all cores. What a hook throws leaves the other threads without work, and is thrown again.
 void compute(Work& work, const StudyHooks& hooks) {
-  std::atomic<std::size_t> next = 0;
   std::size_t done = work.points.size() - work.open.size();
-  std::exception_ptr failure;
-  std::mutex reporting;
-  const auto run = [&] {
-    const certified::ThreadCache cache;
-    for (std::size_t i = next++; i < work.open.size(); i = next++) {
-      StudyPoint& point = work.points[work.open[i]];
-      solve(point, work.grounds[work.ground_of_point[work.open[i]]]);
-      const std::scoped_lock lock(reporting);
-      if (failure) return;
-      try {
-        if (hooks.finished) hooks.finished(point);
-        if (hooks.progress) hooks.progress(++done, work.points.size());
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    }
+  const auto solve_one = [&](std::size_t i) {
+    const std::size_t point = work.open[i];
+    solve(work.points[point], work.grounds[work.ground_of_point[point]]);
   };
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> workers;
-  for (std::size_t i = 0; i < std::min(cores, work.open.size()); ++i) workers.emplace_back(run);
-  workers.clear();  // joins
-  if (failure) std::rethrow_exception(failure);
+  on_all_cores(work.open.size(), solve_one, [&](std::size_t i) {
+    if (hooks.finished) hooks.finished(work.points[work.open[i]]);
+    if (hooks.progress) hooks.progress(++done, work.points.size());
+  });
 }
 
 }  // namespace

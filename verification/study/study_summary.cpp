@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/whole_numbers.hpp"
+
 #include "verification/study/named_shapes.hpp"
 
 namespace wavecurve::verification {

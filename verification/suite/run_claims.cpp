@@ -1,13 +1,9 @@
 #include "verification/suite/run_claims.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <exception>
-#include <mutex>
 #include <string>
-#include <thread>
 
-#include "wavecurve/certified/thread_cache.hpp"
+#include "verification/suite/on_all_cores.hpp"
 
 namespace wavecurve::verification {
 
@@ -35,22 +31,16 @@ Outcome evaluate(const Claim& claim) {
 
 std::vector<ClaimResult> run_claims(std::span<const Claim> claims, const Progress& progress) {
   std::vector<ClaimResult> results(claims.size());
-  std::atomic<std::size_t> next = 0;
   std::size_t finished = 0;
-  std::mutex reporting;
-  const auto work = [&] {
-    const certified::ThreadCache cache;
-    for (std::size_t i = next++; i < claims.size(); i = next++) {
-      results[i] = {claims[i], evaluate(claims[i])};
-      const std::scoped_lock lock(reporting);
-      ++finished;
-      if (progress) progress(finished, claims.size(), claims[i]);
-    }
-  };
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> workers;
-  for (std::size_t i = 0; i < std::min(cores, claims.size()); ++i) workers.emplace_back(work);
-  workers.clear();  // joins
+  on_all_cores(
+      claims.size(),
+      [&](std::size_t i) {
+        results[i] = {claims[i], evaluate(claims[i])};
+      },
+      [&](std::size_t i) {
+        ++finished;
+        if (progress) progress(finished, claims.size(), claims[i]);
+      });
   return results;
 }
 

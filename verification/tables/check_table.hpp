@@ -52,8 +52,7 @@ struct CheckedTable {
 ///
 /// undecided         the rounding is open at precision_limit_bits (true_value.hpp).
 /// certified         the print is the true value correctly rounded to the print's own last digit,
-/// and
-///                   has as many decimals as its column. A bare 0 is certified if the value is
+///                   and has as many decimals as its column. A bare 0 is certified if the value is
 ///                   exactly zero. Of an exact tie either neighbour is. "-0.000" is if the value is
 ///                   proved negative.
 /// form              correctly rounded as well, but printed with other decimals than its column; or

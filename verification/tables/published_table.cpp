@@ -10,7 +10,10 @@
 #include <tuple>
 #include <utility>
 
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/io/files/csv.hpp"
 #include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/text.hpp"
 
 namespace wavecurve::verification {
 
@@ -31,53 +34,11 @@ constexpr std::array<std::string_view, 4> column_names{"filter", "quantity", "in
 constexpr std::size_t longest_line = 10000;  // a page of a book holds fewer characters
 constexpr std::size_t longest_name = 1000;   // a filter may be a path
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// The fields of one line (RFC 4180, no line break inside a field).
-std::vector<std::string> split_fields(std::string_view line) {
-  std::vector<std::string> fields;
-  std::string_view rest = line;
-  while (true) {
-    std::string field;
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    if (rest.starts_with('"')) {
-      rest.remove_prefix(1);
-      while (true) {
-        const auto quote = rest.find('"');
-        if (quote == std::string_view::npos) {
-          throw std::invalid_argument("a quoted field is not closed");
-        }
-        field += rest.substr(0, quote);
-        rest.remove_prefix(quote + 1);
-        if (!rest.starts_with('"')) break;
-        field += '"';
-        rest.remove_prefix(1);
-      }
-      rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-      if (!rest.empty() && rest.front() != ',') {
-        throw std::invalid_argument("text follows a closing quote");
-      }
-    } else {
-      const auto comma = std::min(rest.find(','), rest.size());
-      field = trim(rest.substr(0, comma));
-      rest.remove_prefix(comma);
-    }
-    fields.push_back(std::move(field));
-    if (rest.empty()) return fields;
-    rest.remove_prefix(1);
-  }
-}
-
 /// Where each of column_names stands in the header.
 using Header = std::array<std::size_t, column_names.size()>;
 
 Header parse_header(std::string_view line) {
-  const std::vector<std::string> fields = split_fields(line);
+  const std::vector<std::string> fields = io::csv_fields(line);
   Header header{};
   for (std::size_t column = 0; column < column_names.size(); ++column) {
     const auto count = std::count(fields.begin(), fields.end(), column_names[column]);
@@ -98,12 +59,11 @@ Header parse_header(std::string_view line) {
 }
 
 Quantity parse_quantity(std::string_view text) {
-  std::string known;
   for (const auto& [quantity, name] : quantity_names) {
     if (name == text) return quantity;
-    known += (known.empty() ? "" : ", ") + std::string(name);
   }
-  throw std::invalid_argument("unknown quantity " + excerpt(text) + "; known are " + known);
+  throw std::invalid_argument(unknown_name("quantity", text, quantity_names,
+                                           [](const auto& entry) { return entry.second; }));
 }
 
 int parse_index(std::string_view text) {
@@ -120,7 +80,7 @@ int parse_index(std::string_view text) {
 }
 
 PublishedEntry parse_entry(std::string_view line, const Header& header) {
-  std::vector<std::string> fields = split_fields(line);
+  std::vector<std::string> fields = io::csv_fields(line);
   if (fields.size() != header.size()) {
     throw std::invalid_argument("the row has " + std::to_string(fields.size()) +
                                 (fields.size() == 1 ? " field" : " fields") +
@@ -140,11 +100,11 @@ PublishedEntry parse_entry(std::string_view line, const Header& header) {
 
 /// The text behind "# key:", if the comment is of that form.
 std::optional<std::string> comment_value(std::string_view line, std::string_view key) {
-  std::string_view rest = trim(line.substr(1));
+  std::string_view rest = io::trimmed(line.substr(1));
   if (!rest.starts_with(key)) return std::nullopt;
   rest.remove_prefix(key.size());
   if (!rest.starts_with(':')) return std::nullopt;
-  return std::string(trim(rest.substr(1)));
+  return std::string(io::trimmed(rest.substr(1)));
 }
 
 void refuse_binary(std::string_view line) {
@@ -189,7 +149,7 @@ class Reader {
   }
 
   void read_content(std::string_view line) {
-    if (trim(line).empty()) return;
+    if (io::trimmed(line).empty()) return;
     if (line.starts_with('#')) {
       if (const auto title = comment_value(line, "title")) table_.title = *title;
       if (const auto source = comment_value(line, "source")) table_.source = *source;

@@ -76,8 +76,8 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   }
   chart.script =
       "set logscale y\n"
-      "set yrange [1e-16:*]\n"  // a print with many more decimals than its column would squeeze the
-                                // rest
+      // A print with many more decimals than its column would squeeze the rest.
+      "set yrange [1e-16:*]\n"
       "set format y '10^{%L}'\n"
       "set xlabel 'entry of the table'\n"
       "set ylabel '|print - true value|'\n"

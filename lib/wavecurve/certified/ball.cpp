@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::certified {
 
 namespace {
@@ -12,10 +14,7 @@ thread_local long working_bits = 128;
 }  // namespace
 
 WorkingPrecision::WorkingPrecision(long bits) : previous_(working_bits) {
-  if (bits < 2) {
-    throw std::invalid_argument("working precision " + std::to_string(bits) +
-                                " bits: must be at least 2");
-  }
+  check_at_least("the working precision in bits", bits, 2);
   working_bits = bits;
 }
 

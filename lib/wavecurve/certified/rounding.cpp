@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::certified {
 
 namespace {
@@ -109,8 +111,7 @@ std::optional<Real> round_to_binary(const Ball& x, long bits) {
 }  // namespace
 
 std::string round_to_decimals(const Rational& x, int decimals) {
-  if (decimals < 0)
-    throw std::invalid_argument("a decimal cannot have a negative number of places");
+  check_at_least("the number of decimals", decimals, 0);
   return with_point(integer_text(nearest_integer(x * power_of_ten(decimals))), decimals);
 }
 
@@ -120,7 +121,7 @@ std::optional<std::string> round_to_decimals(const Ball& x, int decimals) {
 }
 
 std::string round_to_digits(const Rational& x, int digits) {
-  if (digits < 1) throw std::invalid_argument("a number needs at least one significant digit");
+  check_at_least("the number of significant digits", digits, 1);
   if (x.is_zero()) return "0";
   long exponent = decimal_exponent(x);
   std::string mantissa = integer_text(nearest_integer(x * power_of_ten(digits - 1 - exponent)));

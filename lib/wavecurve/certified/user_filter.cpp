@@ -6,6 +6,7 @@
 #include "wavecurve/certified/relations.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::certified {
 
@@ -33,8 +34,7 @@ Ball normalising_factor(const std::string& sum) {
   if (sum == "sqrt2") return Ball(1);
   if (sum == "1") return sqrt(Ball(2));
   if (sum == "2") return sqrt(Ball(2)) / Ball(2);
-  throw std::invalid_argument("a filter's sum must be \"sqrt2\", \"1\" or \"2\", not \"" + sum +
-                              "\"");
+  throw std::invalid_argument(must_be("the sum of a filter", sum, "'sqrt2', '1' or '2'"));
 }
 
 template <class Scalar>
@@ -89,16 +89,9 @@ Filter<Rational> exact_autocorrelation(const Filter<Rational>& taps, const Ratio
 }
 
 void require_sane(const UserFilter& user, const Filter<std::string>& filter) {
-  if (filter.taps.empty() || filter.size() > most_taps) {
-    throw std::invalid_argument("filter " + user.name + ": it has " +
-                                std::to_string(filter.taps.size()) + " taps, must have 1 .. " +
-                                std::to_string(most_taps));
-  }
-  if (std::abs(static_cast<long>(filter.first_index)) > furthest_index) {
-    throw std::invalid_argument("filter " + user.name + ": its first index " +
-                                std::to_string(filter.first_index) + " must lie within +-" +
-                                std::to_string(furthest_index));
-  }
+  const std::string whose = " of filter " + user.name;
+  check_between("the number of taps" + whose, static_cast<long>(filter.taps.size()), 1, most_taps);
+  check_between("the first index" + whose, filter.first_index, -furthest_index, furthest_index);
 }
 
 }  // namespace
@@ -107,11 +100,9 @@ FilterDefinition define_user_filter(const UserFilter& user) {
   require_sane(user, user.taps);
   if (user.dual) require_sane(user, *user.dual);
   for (const auto& claim : {user.vanishing_moments, user.dual_vanishing_moments}) {
-    if (claim && (*claim < 0 || *claim > most_taps)) {
-      throw std::invalid_argument("filter " + user.name + ": the claim of " +
-                                  std::to_string(*claim) + " vanishing moments must lie in 0 .. " +
-                                  std::to_string(most_taps));
-    }
+    if (!claim) continue;
+    check_between("the claimed number of vanishing moments of filter " + user.name, *claim, 0,
+                  most_taps);
   }
   const WorkingPrecision precision(256);
   normalising_factor(user.sum);  // refuses an unknown sum

@@ -119,7 +119,8 @@ TEST(UserFilter, RefusesBadInput) {
     define_user_filter(with([](auto& u) { u.dual = Filter<std::string>{20000, {"1"}}; }));
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "filter mine: its first index 20000 must lie within +-10000");
+    EXPECT_STREQ(error.what(),
+                 "the first index of filter mine is 20000, but must be from -10000 to 10000");
   }
 }
 

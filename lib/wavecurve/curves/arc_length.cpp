@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <fmt/format.h>
 
 #include "wavecurve/curves/bezier.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve {
 
@@ -159,10 +158,7 @@ ArcLength::ArcLength(const Subpath& subpath) : segments_(subpath.segments) {
       length_ += part.length;
     }
   }
-  if (!(length_ > 0) || !std::isfinite(length_)) {
-    throw std::invalid_argument(
-        fmt::format("the length of a contour is {}, but must be positive and finite", length_));
-  }
+  check_above_zero("the length of a contour", length_);
 }
 
 Eigen::Vector2d ArcLength::point(double l) const {

@@ -1,11 +1,9 @@
 #include "wavecurve/curves/coefficients.hpp"
 
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "wavecurve/curves/interpolation.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -41,12 +39,7 @@ Contour to_samples(const FilterBank<double>& bank, const Contour& coefficients, 
 }
 
 Contour approximation(const Contour& coefficients, Eigen::Index scale) {
-  if (scale < 1 || scale > coefficients.rows()) {
-    throw std::invalid_argument(
-        fmt::format("scale is {}, but must be from 1 to {}, the number of "
-                    "coefficients",
-                    scale, coefficients.rows()));
-  }
+  check_between("scale", scale, 1, coefficients.rows());
   Contour result = coefficients;
   result.bottomRows(result.rows() - scale).setZero();
   return result;

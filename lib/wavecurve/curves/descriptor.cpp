@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/arc_length.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve {
@@ -29,9 +30,10 @@ void check_scale(const DescriptorOptions& options, Eigen::Index scale) {
   for (int level = 0; level <= options.levels; ++level) {
     if (scale == options.samples >> level) return;
   }
-  throw std::invalid_argument(fmt::format("scale is {}, but must be a power of two from {} to {}",
-                                          scale, options.samples >> options.levels,
-                                          options.samples));
+  throw std::invalid_argument(
+      must_be("scale", scale,
+              fmt::format("a power of two from {} to {}", options.samples >> options.levels,
+                          options.samples)));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve {
 
 namespace {
@@ -200,10 +202,7 @@ std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double toleran
   if (keys.empty() || keys.front().rows() == 0) {
     throw std::invalid_argument("fit of cubics: a contour without points");
   }
-  if (!(tolerance >= 0)) {
-    throw std::invalid_argument("fit of cubics: tolerance " + std::to_string(tolerance) +
-                                " is below 0");
-  }
+  check_at_least("the tolerance of a fit of cubics", tolerance, 0);
   const Columns points = columns_of(keys);
   Knots knots = first_knots(points);
   Columns control = control_points(points, knots);

@@ -14,6 +14,8 @@
 #include "wavecurve/curves/arc_length.hpp"
 #include "wavecurve/curves/bezier.hpp"
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 
 namespace wavecurve {
 
@@ -104,8 +106,8 @@ Contour sample_with_corners(const Subpath& closed, Index samples) {
   if (corners.empty()) return sample_uniformly(closed, samples);
   if (static_cast<Index>(corners.size()) > samples) {
     throw std::invalid_argument(
-        fmt::format("samples is {}, but must be at least {}, the number of corners to keep",
-                    samples, corners.size()));
+        must_be("samples", samples,
+                fmt::format("at least {}, the number of corners to keep", corners.size())));
   }
   const ArcLength arc(closed);
   std::vector<double> lengths(corners.size());
@@ -133,10 +135,9 @@ Contour sample_with_corners(const Subpath& closed, Index samples) {
 Subpath prepared(Subpath subpath) {
   std::erase_if(subpath.segments, is_point);
   if (subpath.segments.empty()) {
-    throw std::invalid_argument("the length of a contour is 0, but must be positive");
+    throw std::invalid_argument(must_be("the length of a contour", 0, "above 0"));
   }
-  return subpath.closed ? closed_by_line(std::move(subpath))
-                        : there_and_back(std::move(subpath));
+  return subpath.closed ? closed_by_line(std::move(subpath)) : there_and_back(std::move(subpath));
 }
 
 Contour sample(const Subpath& closed, Index samples, Corners corners) {
@@ -147,10 +148,10 @@ Contour sample(const Subpath& closed, Index samples, Corners corners) {
 }  // namespace
 
 void check_samples(Index samples) {
-  if (samples < fewest_samples || samples > most_samples || (samples & (samples - 1)) != 0) {
+  if (samples < fewest_samples || samples > most_samples || !is_power_of_two(samples)) {
     throw std::invalid_argument(
-        fmt::format("samples is {}, but must be a power of two from {} to {}", samples,
-                    fewest_samples, most_samples));
+        must_be("samples", samples,
+                fmt::format("a power of two from {} to {}", fewest_samples, most_samples)));
   }
 }
 

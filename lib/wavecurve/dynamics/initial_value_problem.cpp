@@ -5,16 +5,19 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::dynamics {
 
 namespace {
 
 void check_state(const char* name, const Eigen::MatrixXd& state, const InitialValueProblem& p) {
   if (state.rows() != p.system.samples() || state.cols() != p.displacement.cols()) {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(state.rows()) + " x " +
-                                std::to_string(state.cols()) + ", but must be " +
-                                std::to_string(p.system.samples()) + " x " +
-                                std::to_string(p.displacement.cols()));
+    throw std::invalid_argument(fmt::format("{} is {} x {}, but must be {} x {}", name,
+                                            state.rows(), state.cols(), p.system.samples(),
+                                            p.displacement.cols()));
   }
   if (!state.allFinite()) {
     throw std::invalid_argument(std::string(name) + " has a value that is not finite");
@@ -24,10 +27,7 @@ void check_state(const char* name, const Eigen::MatrixXd& state, const InitialVa
 void check_times(const Eigen::VectorXd& times) {
   double last = 0;
   for (Eigen::Index i = 0; i < times.size(); ++i) {
-    if (!(times[i] >= last) || !std::isfinite(times[i])) {
-      throw std::invalid_argument("time " + std::to_string(i) + " is " + std::to_string(times[i]) +
-                                  ", but must be finite and at least " + std::to_string(last));
-    }
+    check_at_least("time " + std::to_string(i), times[i], last);
     last = times[i];
   }
 }
@@ -69,10 +69,7 @@ Eigen::MatrixXd uniform_density(const LagrangeSystem& system,
 
 ForceDensity attraction(const Eigen::Ref<const Eigen::RowVectorXd>& point, double strength,
                         double softening) {
-  if (!(softening > 0)) {
-    throw std::invalid_argument("softening is " + std::to_string(softening) +
-                                ", but must be above 0");
-  }
+  check_above_zero("softening", softening);
   return [point = Eigen::RowVectorXd(point), strength, softening](
              double, const Eigen::Ref<const Eigen::MatrixXd>& positions,
              const Eigen::Ref<const Eigen::MatrixXd>&) {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"
@@ -13,12 +13,6 @@
 namespace wavecurve::dynamics {
 
 namespace {
-
-void check(const char* name, double value) {
-  if (value >= 0 && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                              ", but must be finite and at least 0");
-}
 
 /// Of the circulant of the finest level, by frequency 0 .. samples / 2.
 Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int order) {
@@ -28,7 +22,7 @@ Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int
 
 /// Of the diagonal blocks of the bands.
 std::vector<Eigen::VectorXd> band_symbols(const FilterBank<double>& bank,
-                                              const std::vector<Band>& bands, int order) {
+                                          const std::vector<Band>& bands, int order) {
   std::vector<Eigen::VectorXd> symbols;
   if (order == 0 && bank.is_orthonormal()) {
     for (const Band& band : bands) symbols.push_back(Eigen::VectorXd::Ones(band.size / 2 + 1));
@@ -58,12 +52,12 @@ double mean(const Eigen::VectorXd& half, Eigen::Index size) {
 LagrangeSystem::LagrangeSystem(FilterBank<double> bank, Eigen::Index samples, int levels,
                                const Material& material)
     : bank_(std::move(bank)), samples_(samples), levels_(levels), material_(material) {
-  check("density", material.density);
-  check("stiffness", material.stiffness);
-  check("bending", material.bending);
-  check("mass damping", material.mass_damping);
-  check("stiffness damping", material.stiffness_damping);
-  check("damping density", material.damping_density);
+  check_at_least("density", material.density, 0);
+  check_at_least("stiffness", material.stiffness, 0);
+  check_at_least("bending", material.bending, 0);
+  check_at_least("mass damping", material.mass_damping, 0);
+  check_at_least("stiffness damping", material.stiffness_damping, 0);
+  check_at_least("damping density", material.damping_density, 0);
   checked_log2(samples);
   multiscale_bands(samples, levels);
   eigenvalues();

@@ -7,6 +7,7 @@
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
@@ -37,7 +38,7 @@ inline Eigen::MatrixXd smooth_samples(Eigen::Index count, Eigen::Index shift = 0
 /// Released at rest from smooth_samples, all levels.
 inline InitialValueProblem smooth_problem(const std::string& filter, Eigen::Index samples,
                                           const Material& material) {
-  const auto levels = static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
+  const int levels = all_levels(samples);
   const LagrangeSystem system(find_filter_bank<double>(filter), samples, levels, material);
   InitialValueProblem problem = {
       system, coefficients_of(system, smooth_samples(samples)), {}, {}, {}, {}};

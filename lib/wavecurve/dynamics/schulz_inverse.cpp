@@ -1,12 +1,12 @@
 #include "wavecurve/dynamics/schulz_inverse.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
+
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -60,12 +60,9 @@ void check(const Matrix& c, double tolerance, double threshold) {
         fmt::format("the matrix is {} x {}, but must be square", c.rows(), c.cols()));
   }
   if (!is_finite(c)) throw std::invalid_argument("the matrix has a value that is not finite");
-  if (!(tolerance > 0)) {
-    throw std::invalid_argument(fmt::format("tolerance is {}, but must be above 0", tolerance));
-  }
+  check_above_zero("tolerance", tolerance);
   if (!(threshold >= 0 && threshold < 1)) {
-    throw std::invalid_argument(
-        fmt::format("threshold is {}, but must be at least 0 and below 1", threshold));
+    throw std::invalid_argument(must_be("threshold", threshold, "at least 0 and below 1"));
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "wavecurve/dynamics/modal/decoupled.hpp"
@@ -10,6 +9,7 @@
 #include "wavecurve/dynamics/stepping/coupled.hpp"
 #include "wavecurve/dynamics/stepping/implicit.hpp"
 #include "wavecurve/dynamics/stepping/massless.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -82,13 +82,10 @@ const std::vector<NamedSolver>& solvers() {
 }
 
 const NamedSolver& find_solver(const std::string& name) {
-  std::vector<std::string> names;
   for (const NamedSolver& solver : solvers()) {
     if (solver.name == name) return solver;
-    names.push_back(solver.name);
   }
-  throw std::invalid_argument(
-      fmt::format("solver is \"{}\", but must be one of {}", name, fmt::join(names, ", ")));
+  throw std::invalid_argument(unknown_name("solver", name, solvers(), &NamedSolver::name));
 }
 
 }  // namespace wavecurve::dynamics

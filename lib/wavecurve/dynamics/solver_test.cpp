@@ -27,8 +27,7 @@ struct Trial {
 
 const std::vector<Trial> trials = {
     // The estimate is of order h^5, and the result that is kept of order 5: its global error goes
-    // with
-    // the tolerance. Rosenbrock: the estimate h^3, the result of order 3.
+    // with the tolerance. Rosenbrock: the estimate h^3, the result of order 3.
     {"coupled", {1e-4, 1e-6, 1e-8}, 1},
     {"coupled-cash-karp", {1e-4, 1e-6, 1e-8}, 1},
     {"coupled-dormand-prince", {1e-4, 1e-6, 1e-8}, 1},

@@ -1,23 +1,11 @@
 #include "wavecurve/dynamics/tolerance.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
-namespace {
+void check_tolerance(double tolerance) { check_above_zero("tolerance", tolerance); }
 
-void check(const char* name, double value) {
-  if (value > 0 && std::isfinite(value)) return;
-  throw std::invalid_argument(fmt::format("{} is {}, but must be finite and above 0", name, value));
-}
-
-}  // namespace
-
-void check_tolerance(double tolerance) { check("tolerance", tolerance); }
-
-void check_step(double step) { check("step", step); }
+void check_step(double step) { check_above_zero("step", step); }
 
 }  // namespace wavecurve::dynamics

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve {
 
 std::optional<int> number_after(std::string_view prefix, std::string_view name) {
@@ -17,11 +19,7 @@ std::optional<int> number_after(std::string_view prefix, std::string_view name) 
 }
 
 void require_order(std::string_view name, int order, int lowest, int highest) {
-  if (order < lowest || order > highest) {
-    throw std::invalid_argument("filter " + std::string(name) + ": its order " +
-                                std::to_string(order) + " must lie in " + std::to_string(lowest) +
-                                " .. " + std::to_string(highest));
-  }
+  check_between("the order of filter " + std::string(name), order, lowest, highest);
 }
 
 std::optional<SplineOrders> spline_orders(std::string_view name) {
@@ -33,9 +31,8 @@ std::optional<SplineOrders> spline_orders(std::string_view name) {
   require_order(name, *order, 1, highest_spline_order);
   require_order(name, *dual_order, 1, highest_spline_order);
   if ((*order + *dual_order) % 2 != 0) {
-    throw std::invalid_argument("filter " + std::string(name) + ": the sum of its orders " +
-                                std::to_string(*order) + " + " + std::to_string(*dual_order) +
-                                " must be even");
+    throw std::invalid_argument(must_be("the sum of the orders of filter " + std::string(name),
+                                        *order + *dual_order, "even"));
   }
   return SplineOrders{*order, *dual_order};
 }

@@ -1,7 +1,6 @@
 #include "wavecurve/filters/filter_name.hpp"
 
 #include <stdexcept>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,7 @@ TEST(FilterName, OrderBeyondItsBoundsIsRefusedByName) {
     require_order("db39", 39, 1, 38);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "filter db39: its order 39 must lie in 1 .. 38");
+    EXPECT_STREQ(error.what(), "the order of filter db39 is 39, but must be from 1 to 38");
   }
 }
 

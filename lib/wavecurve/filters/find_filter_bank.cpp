@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
 #include "wavecurve/filters/spline_filter.hpp"
 
@@ -27,6 +28,23 @@ FilterBank<Scalar> bank_of(const FilterTableRow& row) {
   return bank;
 }
 
+/// "db1-db38" and the like: of each family the first name and the last.
+std::vector<std::string> known_names() {
+  std::vector<std::string> names{"bsplineD.E"};
+  std::string_view family;
+  for (const FilterTableRow& row : filter_table_rows()) {
+    const std::string_view letters = row.name.substr(0, row.name.find_first_of("0123456789"));
+    if (letters != family) {
+      names.emplace_back(row.name);
+      family = letters;
+    } else {
+      std::string& range = names.back();
+      range = range.substr(0, range.find('-')) + "-" + std::string(row.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -39,9 +57,7 @@ FilterBank<Scalar> find_filter_bank(std::string_view name) {
     if (row.name == canonical) return bank_of<Scalar>(row);
   }
   if (auto bank = spline_filter_bank<Scalar>(canonical)) return *bank;
-  constexpr std::size_t shown = 60;
-  throw std::invalid_argument("unknown filter '" + std::string(name.substr(0, shown)) +
-                              (name.size() > shown ? "...'" : "'"));
+  throw std::invalid_argument(unknown_name("filter", name, known_names()));
 }
 
 template FilterBank<double> find_filter_bank(std::string_view);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/filter.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
 
@@ -24,10 +25,7 @@ inline int first_two_scale_unknown(int d) { return d % 2; }
 template <class Scalar>
 SquareMatrix<Scalar> two_scale_matrix(const Filter<Scalar>& alpha, int d = 2) {
   constexpr int highest_order = 16;
-  if (d < 0 || d > highest_order) {
-    throw std::invalid_argument("derivative order " + std::to_string(d) + ": must lie in 0 .. " +
-                                std::to_string(highest_order));
-  }
+  check_between("derivative order", d, 0, highest_order);
   const int first = first_two_scale_unknown(d), unknowns = alpha.size() - 1 - first;
   if (unknowns < 1) {
     throw std::invalid_argument("the two-scale system of derivative order " + std::to_string(d) +

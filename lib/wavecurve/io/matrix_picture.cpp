@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/drawings/svg_paint.hpp"
 #include "wavecurve/io/files/xml_escaped.hpp"
 
 namespace wavecurve::io {
@@ -28,12 +29,8 @@ std::string colour(int shade) {
   const double angle = 2 * std::numbers::pi * (0.5 / 3 + 1 - 0.9 * light);
   const double amplitude = 1.1 * light * (1 - light) / 2;
   const double c = std::cos(angle), s = std::sin(angle);
-  const auto channel = [&](double a, double b) {
-    const double value = light + amplitude * (a * c + b * s);
-    return static_cast<int>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(-0.14861, 1.78277), channel(-0.29227, -0.90649),
-                     channel(1.97294, 0));
+  const auto channel = [&](double a, double b) { return light + amplitude * (a * c + b * s); };
+  return hex_colour({channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0)});
 }
 
 /// The powers of ten between which the colours run.

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::motion {
 
 namespace {
@@ -73,8 +75,7 @@ void check_animation(const Animation& animation) {
   demand(std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) &&
              std::isfinite(box.height) && box.width > 0 && box.height > 0,
          fmt::format("view box {} {} {} {} has no area", box.x, box.y, box.width, box.height));
-  demand(std::isfinite(animation.duration) && animation.duration > 0,
-         fmt::format("duration {} s is not above 0", animation.duration));
+  check_above_zero("duration", animation.duration);
   for (const AnimatedLayer& layer : animation.layers) {
     const std::string name = "layer '" + layer.id + "'";
     check_times(name, "outline", layer.outline, animation.duration);

@@ -1,8 +1,6 @@
 #include "wavecurve/motion/ease.hpp"
 
-#include <stdexcept>
-
-#include <fmt/format.h>
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::motion {
 
@@ -21,7 +19,7 @@ double eased(Ease ease, double share) {
 }
 
 Animation eased(const Animation& animation, Ease ease, int frames) {
-  if (frames < 2) throw std::invalid_argument(fmt::format("{} frames are less than 2", frames));
+  check_at_least("frames", frames, 2);
   if (ease == Ease::linear) return animation;
   Animation result{animation.view_box, animation.duration, {}};
   for (const AnimatedLayer& layer : animation.layers) result.layers.push_back({layer.id, {}, {}});

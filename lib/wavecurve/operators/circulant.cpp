@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 
 namespace wavecurve {
-
-int checked_log2(Eigen::Index samples) {
-  constexpr int largest = 24;
-  if (samples < 1 || samples > (Eigen::Index{1} << largest) || (samples & (samples - 1)) != 0) {
-    throw std::invalid_argument(
-        fmt::format("samples is {}, but must be a power of two from 1 to 2^{}", samples, largest));
-  }
-  return std::countr_zero(static_cast<std::uint64_t>(samples));
-}
 
 Eigen::VectorXd circulant_column(const Filter<double>& mu, Eigen::Index samples, int d) {
   const double scale = std::ldexp(1.0, checked_log2(samples) * d);
@@ -37,7 +26,7 @@ Eigen::VectorXd circulant_column(const Filter<double>& mu, Eigen::Index samples,
 Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index samples, int d) {
   const double scale = std::ldexp(1.0, checked_log2(samples) * d);
   if (d % 2 != 0) {
-    throw std::invalid_argument(fmt::format("d is {}, but eigenvalues need an even order", d));
+    throw std::invalid_argument(must_be("d", d, "even for a symmetric circulant"));
   }
   const double step = std::numbers::pi / static_cast<double>(samples);
   Eigen::VectorXd eigenvalues(samples);
@@ -56,7 +45,7 @@ Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index sam
 Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples, int d) {
   const double scale = std::ldexp(1.0, checked_log2(samples) * d);
   if (d % 2 != 0) {
-    throw std::invalid_argument(fmt::format("d is {}, but eigenvalues need an even order", d));
+    throw std::invalid_argument(must_be("d", d, "even for a symmetric circulant"));
   }
   const double step = std::numbers::pi / static_cast<double>(samples);
   std::vector<double> weights;  // of sin(l t)^2, l = 1, 2, ...

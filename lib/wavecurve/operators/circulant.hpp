@@ -23,7 +23,4 @@ Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index sam
 /// The same, by frequency k = 0 .. samples / 2 only, for symmetric mu; a sine and a cosine each.
 Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples, int d);
 
-/// log2 of a valid number of samples; throws as circulant_column does.
-int checked_log2(Eigen::Index samples);
-
 }  // namespace wavecurve

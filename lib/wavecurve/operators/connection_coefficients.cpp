@@ -1,11 +1,11 @@
 #include "wavecurve/operators/connection_coefficients.hpp"
 
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "wavecurve/filters/autocorrelation.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
 
 namespace wavecurve {
@@ -16,10 +16,7 @@ constexpr int highest_derivative = 8;
 
 void require_valid(const FilterBank<double>& bank, int p, int q) {
   for (const int order : {p, q}) {
-    if (order < 0 || order > highest_derivative) {
-      throw std::invalid_argument(
-          fmt::format("derivative order {}: must lie in 0 .. {}", order, highest_derivative));
-    }
+    check_between("derivative order", order, 0, highest_derivative);
   }
   const double needed = 0.5 * (p + q);
   if (!(bank.sobolev_exponent > needed)) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/detail/strided_block.hpp"
@@ -12,8 +13,6 @@
 namespace wavecurve {
 
 namespace {
-
-int floor_half(int n) { return (n - (n & 1)) / 2; }
 
 /// r_n = 2^d sum_{m,i} wavelet_m scaling_i mu_{2n + m - i} = int psi^(p)(x - n) phi^(q)(x) dx.
 Filter<double> same_level(const Filter<double>& wavelet, const Filter<double>& scaling,

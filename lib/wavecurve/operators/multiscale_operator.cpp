@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/circulant_product.hpp"
 #include "wavecurve/transform/detail/periodic_kernels.hpp"

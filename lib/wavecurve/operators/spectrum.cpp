@@ -9,6 +9,7 @@
 #include <Spectra/SymEigsSolver.h>
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -129,10 +130,8 @@ ExtremeEigenvalues dense_extremes(const Eigen::MatrixXd& matrix, Eigen::Index nu
 
 ExtremeEigenvalues extreme_eigenvalues(const FilterBank<double>& bank, Eigen::Index samples,
                                        int levels, int p) {
-  if (p < 0 || p > 1) throw std::invalid_argument(fmt::format("p is {}, but must be 0 or 1", p));
-  if (samples < 2) {
-    throw std::invalid_argument(fmt::format("samples is {}, but a spectrum needs 2", samples));
-  }
+  check_between("p", p, 0, 1);
+  check_at_least("samples", samples, 2);
   if (p == 0 && bank.is_orthonormal()) {
     gram(bank, samples, levels);  // refuses what it must
     return {1, 1};

@@ -10,6 +10,7 @@
 #include <Spectra/MatOp/DenseGenRealShiftSolve.h>
 
 #include "wavecurve/filters/two_scale_matrix.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve {
 

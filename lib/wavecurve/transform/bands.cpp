@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve {
 
 std::vector<Band> multiscale_bands(Eigen::Index samples, int levels) {
-  if (samples < 1) {
-    throw std::invalid_argument(fmt::format("samples is {}, but must be at least 1", samples));
-  }
+  check_at_least("samples", samples, 1);
   if (levels < 0 || levels > 62 || samples % (Eigen::Index{1} << levels) != 0) {
     throw std::invalid_argument(
         fmt::format("levels is {}, but {} samples must be a multiple of 2^levels, levels >= 0",

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/transform/refinement_mask.hpp"
 
 namespace wavecurve {
@@ -17,12 +15,7 @@ using Eigen::Index;
 
 constexpr int largest_level = 24;
 
-void check(int level) {
-  if (level < 0 || level > largest_level) {
-    throw std::invalid_argument(
-        fmt::format("level is {}, but must be from 0 to {}", level, largest_level));
-  }
-}
+void check(int level) { check_between("level", level, 0, largest_level); }
 
 /// The values at half the spacing: the old points stay, those between follow from (2.1).
 Eigen::VectorXd refine(const Eigen::VectorXd& coarse, const std::vector<double>& mask, int level) {

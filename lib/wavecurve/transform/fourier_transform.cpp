@@ -1,9 +1,10 @@
 #include "wavecurve/transform/fourier_transform.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <numbers>
+
+#include "wavecurve/filters/whole_numbers.hpp"
 
 namespace wavecurve {
 
@@ -24,9 +25,8 @@ constexpr Eigen::Index strip = 8;
 }  // namespace
 
 FourierTransform::FourierTransform(Eigen::Index size) : size_(size) {
-  const bool is_power_of_two = std::has_single_bit(static_cast<std::uint64_t>(size));
-  if (!is_power_of_two || size > longest_direct) buffer_.resize(size);
-  if (!is_power_of_two) return;
+  if (!is_power_of_two(size) || size > longest_direct) buffer_.resize(size);
+  if (!is_power_of_two(size)) return;
   while (size > longest_direct && rows_ * rows_ < size) {
     rows_ *= 2;
     ++shift_;

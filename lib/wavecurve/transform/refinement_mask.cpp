@@ -6,12 +6,14 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve {
 
 namespace {
 
 void check(const FilterBank<double>& bank, int d) {
-  if (d < 0) throw std::invalid_argument(fmt::format("d is {}, but must be at least 0", d));
+  check_at_least("d", d, 0);
   if (d >= bank.vanishing_moments || d >= bank.sobolev_exponent) {
     throw std::domain_error(fmt::format(
         "{}: the derivative of order {} is no function: the Sobolev exponent is {:.4g}, and {} "

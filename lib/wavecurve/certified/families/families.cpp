@@ -5,6 +5,7 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/refine.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::certified {
 
@@ -26,11 +27,7 @@ FilterDefinition find_filter(std::string_view name) {
   for (const Family& family : families()) {
     if (auto definition = family.define(canonical)) return *definition;
   }
-  std::string known;
-  for (const Family& family : families()) known += (known.empty() ? "" : ", ") + family.names;
-  constexpr std::size_t shown = 60;
-  throw std::invalid_argument("unknown filter '" + std::string(name.substr(0, shown)) +
-                              (name.size() > shown ? "...'" : "'") + "; known: " + known);
+  throw std::invalid_argument(unknown_name("filter", name, families(), &Family::names));
 }
 
 std::vector<std::string> filter_names() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"

@@ -15,6 +15,19 @@ namespace wavecurve::dynamics {
 
 namespace {
 
+/// Whether times[j] = j dt for all j, up to rounding; of at least two times.
+bool is_equally_spaced(const Eigen::VectorXd& times) {
+  const Eigen::Index last = times.size() - 1;
+  if (last < 1) return false;
+  const double step = times[last] / static_cast<double>(last);
+  for (Eigen::Index j = 0; j <= last; ++j) {
+    // Equal but for the rounding of a product and of a division.
+    const double time = static_cast<double>(j) * step;
+    if (std::abs(times[j] - time) > 4 * std::numeric_limits<double>::epsilon() * time) return false;
+  }
+  return true;
+}
+
 /// The states at the problem's times, for the start and a constant force. Of equally spaced times
 /// j dt, j = large b + small with b about the root of their number, only the propagators over dt
 /// and over b dt are computed from the closed form, the others are their powers.
@@ -94,25 +107,12 @@ void check_solvable(const InitialValueProblem& problem, const CirculantEigenvalu
     if (modes.mass[n] > 0 || modes.damping[n] > 0) continue;
     throw std::domain_error(
         fmt::format("density is {}, and the damping of mode {} is {}: C is singular, but one of "
-                    "the two must be "
-                    "above 0; a damping density above 0 makes it so",
+                    "the two must be above 0; a damping density above 0 makes it so",
                     modes.mass[n], n, modes.damping[n]));
   }
 }
 
 }  // namespace
-
-bool is_equally_spaced(const Eigen::VectorXd& times) {
-  const Eigen::Index last = times.size() - 1;
-  if (last < 1) return false;
-  const double step = times[last] / static_cast<double>(last);
-  for (Eigen::Index j = 0; j <= last; ++j) {
-    // Equal but for the rounding of a product and of a division.
-    const double time = static_cast<double>(j) * step;
-    if (std::abs(times[j] - time) > 4 * std::numeric_limits<double>::epsilon() * time) return false;
-  }
-  return true;
-}
 
 Trajectory solve_modes(const InitialValueProblem& problem, ModalBasis& basis, double tolerance) {
   check_solvable(problem, basis.modes());

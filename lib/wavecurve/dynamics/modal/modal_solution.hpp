@@ -13,7 +13,4 @@ namespace wavecurve::dynamics {
 /// a mode: without a density, C is singular then.
 Trajectory solve_modes(const InitialValueProblem& problem, ModalBasis& basis, double tolerance);
 
-/// Whether times[j] = j dt for all j, up to rounding; of at least two times.
-bool is_equally_spaced(const Eigen::VectorXd& times);
-
 }  // namespace wavecurve::dynamics

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "wavecurve/dynamics/modal/exponential_difference.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -13,16 +13,13 @@ namespace {
 using Complex = std::complex<double>;
 
 void check(const Oscillator& oscillator, double t) {
-  const auto demand = [](bool condition, const char* name, double value, const char* bound) {
-    if (condition) return;
-    throw std::invalid_argument(std::string("oscillator: ") + name + " is " +
-                                std::to_string(value) + ", but must be finite and " + bound);
-  };
-  demand(oscillator.rho >= 0 && std::isfinite(oscillator.rho), "rho", oscillator.rho, "at least 0");
-  demand(oscillator.c >= 0 && std::isfinite(oscillator.c), "c", oscillator.c, "at least 0");
-  demand(oscillator.k >= 0 && std::isfinite(oscillator.k), "k", oscillator.k, "at least 0");
-  demand(t >= 0 && std::isfinite(t), "t", t, "at least 0");
-  demand(oscillator.rho > 0 || oscillator.c > 0, "c", oscillator.c, "above 0 where rho is 0");
+  check_at_least("rho of an oscillator", oscillator.rho, 0);
+  check_at_least("c of an oscillator", oscillator.c, 0);
+  check_at_least("k of an oscillator", oscillator.k, 0);
+  check_at_least("t of an oscillator", t, 0);
+  if (oscillator.rho == 0 && oscillator.c == 0) {
+    throw std::invalid_argument(must_be("c of an oscillator", 0, "above 0 where rho is 0"));
+  }
 }
 
 /// Without mass: c q' + k q = f.

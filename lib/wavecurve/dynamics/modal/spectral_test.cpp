@@ -10,7 +10,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "wavecurve/dynamics/modal/matrix_exponential.hpp"
+#include "wavecurve/dynamics/modal/matrix_exponential_test.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 
 namespace wavecurve::dynamics {

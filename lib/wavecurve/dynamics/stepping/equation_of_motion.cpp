@@ -4,13 +4,15 @@
 
 #include <Eigen/Cholesky>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::dynamics {
 
 EquationOfMotion::EquationOfMotion(const InitialValueProblem& problem, bool dense)
     : material_(problem.system.material()), force_(problem) {
   if (material_.density == 0) {
     throw std::domain_error(
-        "density is 0, but must be above 0 here; the massless equation has solvers of its own");
+        must_be("density", 0, "above 0 here; the massless equation has solvers of its own"));
   }
   if (!dense) {
     stiffness_.emplace(problem.system);

@@ -1,10 +1,10 @@
-#include <cmath>
 #include <stdexcept>
 
 #include "wavecurve/dynamics/stepping/fixed_steps.hpp"
 #include "wavecurve/dynamics/stepping/implicit.hpp"
 #include "wavecurve/dynamics/stepping/residual_force.hpp"
 #include "wavecurve/dynamics/tolerance.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -67,7 +67,7 @@ Trajectory solve_newmark(const InitialValueProblem& problem, double step, Linear
   check(problem);
   check_step(step);
   if (problem.system.material().density == 0) {
-    throw std::domain_error("density is 0, but must be above 0 here");
+    throw std::domain_error(must_be("density", 0, "above 0 here"));
   }
   return in_fixed_steps(problem, step, [&] { return Newmark(problem, method); });
 }

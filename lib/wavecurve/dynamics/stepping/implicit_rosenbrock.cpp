@@ -9,6 +9,7 @@
 #include "wavecurve/dynamics/stepping/implicit.hpp"
 #include "wavecurve/dynamics/stepping/residual_force.hpp"
 #include "wavecurve/dynamics/tolerance.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -146,7 +147,7 @@ Trajectory solve_rosenbrock(const InitialValueProblem& problem, double tolerance
   check(problem);
   check_tolerance(tolerance);
   if (problem.system.material().density == 0) {
-    throw std::domain_error("density is 0, but must be above 0 here");
+    throw std::domain_error(must_be("density", 0, "above 0 here"));
   }
   Rosenbrock state(problem, tolerance, method);
   Trajectory trajectory;

@@ -11,6 +11,7 @@
 #include "wavecurve/dynamics/stepping/residual_force.hpp"
 #include "wavecurve/dynamics/stepping/shifted_solver.hpp"
 #include "wavecurve/dynamics/tolerance.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -147,8 +148,8 @@ Trajectory solve_massless(const InitialValueProblem& problem, MasslessMethod met
   check(problem);
   check_step(step);
   if (problem.system.material().density != 0) {
-    throw std::domain_error(fmt::format("density is {}, but must be 0 for the massless equation",
-                                        problem.system.material().density));
+    throw std::domain_error(
+        must_be("density", problem.system.material().density, "0 for the massless equation"));
   }
   check_regular(problem.system);
   const bool is_explicit =

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
 namespace wavecurve::dynamics {
@@ -61,8 +62,7 @@ std::unique_ptr<ShiftedSolver> shifted_solver(const LagrangeSystem& system, doub
                                               double stiffness, LinearSolver method,
                                               double tolerance) {
   if (!(gram > 0)) {
-    throw std::domain_error(
-        fmt::format("the factor of G is {}, but must be above 0: K alone is singular", gram));
+    throw std::domain_error(must_be("the factor of G", gram, "above 0: K alone is singular"));
   }
   if (method == LinearSolver::factorisation) {
     return std::make_unique<Factorisation>(system, gram, stiffness);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/transform/bands.hpp"
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/control_points.hpp"
-#include "wavecurve/io/drawings/svg_paint.hpp"
 
 namespace wavecurve::io {
 
@@ -15,18 +14,6 @@ namespace {
 
 constexpr double side = 160;  ///< of the longer edge of a frame, in user units
 constexpr double gap = 16, caption = 22;
-
-std::string frame(const AnimatedControlPoints& points, double time, const Decimals& decimals) {
-  std::string svg;
-  for (const motion::FrameLayer& layer : motion::frame_at(points.animation, time)) {
-    svg += "<path";
-    for (const auto& [name, value] : svg_paint(layer.paint)) {
-      svg += fmt::format(" {}=\"{}\"", name, value);
-    }
-    svg += fmt::format(" d=\"{}\"/>\n", path_data(layer.contours, points.cubic, decimals));
-  }
-  return svg;
-}
 
 /// As many columns as make the last row full, if one number not far from square does.
 int columns_of(int frames) {
@@ -40,9 +27,7 @@ int columns_of(int frames) {
 }  // namespace
 
 std::string animation_sheet(const motion::Animation& animation, const OutputOptions& options) {
-  if (options.frames < 2) {
-    throw std::invalid_argument(fmt::format("{} frames are less than 2", options.frames));
-  }
+  check_at_least("frames", options.frames, 2);
   const AnimatedControlPoints points = control_points(animation, options.tolerance);
   const ViewBox& box = animation.view_box;
   const Decimals decimals = Decimals::for_box(box, options.accuracy);
@@ -64,7 +49,9 @@ std::string animation_sheet(const motion::Animation& animation, const OutputOpti
         "<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
         "viewBox=\"{} {} {} {}\">\n{}</svg>\n",
         x, y, width, height, decimals.text(box.x), decimals.text(box.y), decimals.text(box.width),
-        decimals.text(box.height), frame(points, tau * animation.duration, decimals));
+        decimals.text(box.height),
+        layers_svg(motion::frame_at(points.animation, tau * animation.duration), points.cubic,
+                   decimals));
     svg +=
         fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">\u03c4 = {}</text>\n",
                     x + width / 2, y + height + 16, Decimals(3).text(tau));

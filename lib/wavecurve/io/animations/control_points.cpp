@@ -2,7 +2,10 @@
 
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "wavecurve/curves/fit_cubics.hpp"
+#include "wavecurve/io/drawings/svg_paint.hpp"
 #include "wavecurve/motion/check_animation.hpp"
 
 namespace wavecurve::io {
@@ -50,6 +53,19 @@ std::string path_data(const std::vector<Contour>& contours, bool cubic, const De
     text += 'z';
   }
   return text;
+}
+
+std::string layers_svg(const std::vector<motion::FrameLayer>& layers, bool cubic,
+                       const Decimals& decimals) {
+  std::string svg;
+  for (const motion::FrameLayer& layer : layers) {
+    svg += "<path";
+    for (const auto& [name, value] : svg_paint(layer.paint)) {
+      svg += fmt::format(" {}=\"{}\"", name, value);
+    }
+    svg += fmt::format(" d=\"{}\"/>\n", path_data(layer.contours, cubic, decimals));
+  }
+  return svg;
 }
 
 }  // namespace wavecurve::io

@@ -21,4 +21,8 @@ AnimatedControlPoints control_points(const motion::Animation& animation, double 
 /// The `d` of an SVG path of closed contours.
 std::string path_data(const std::vector<Contour>& contours, bool cubic, const Decimals& decimals);
 
+/// Layers as SVG paths, the lowest first.
+std::string layers_svg(const std::vector<motion::FrameLayer>& layers, bool cubic,
+                       const Decimals& decimals);
+
 }  // namespace wavecurve::io

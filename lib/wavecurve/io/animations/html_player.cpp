@@ -1,15 +1,12 @@
 #include "wavecurve/io/animations/html_player.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/control_points.hpp"
 #include "wavecurve/io/animations/player_page.hpp"
 #include "wavecurve/io/files/xml_escaped.hpp"
@@ -87,9 +84,7 @@ std::string_view detail_name(motion::Detail detail) {
 
 /// What every page holds.
 Json page_json(const ViewBox& box, double duration, const OutputOptions& options) {
-  if (options.frames < 2) {
-    throw std::invalid_argument(fmt::format("{} frames are less than 2", options.frames));
-  }
+  check_at_least("frames", options.frames, 2);
   return {{"view_box", {box.x, box.y, box.width, box.height}},
           {"duration", duration},
           {"frames", options.frames},

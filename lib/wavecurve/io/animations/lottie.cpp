@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/json_values.hpp"
 
 namespace wavecurve::io {
 
@@ -137,11 +137,6 @@ constexpr std::string_view identity =
     "\"o\":{\"a\":0,\"k\":100},\"r\":{\"a\":0,\"k\":0},\"p\":{\"a\":0,\"k\":[0,0]},"
     "\"a\":{\"a\":0,\"k\":[0,0]},\"s\":{\"a\":0,\"k\":[100,100]}";
 
-std::string json_string(const std::string& text) {
-  using Json = nlohmann::json;
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 /// Items of a group are painted from the last to the first, so the stroke stands before the fill.
 std::string shape_layer(const motion::AnimatedLayer& layer, std::size_t index, int frames,
                         const Target& target) {
@@ -150,7 +145,7 @@ std::string shape_layer(const motion::AnimatedLayer& layer, std::size_t index, i
     items += shape(layer, i, target);
   }
   items += stroke(layer, target) + fill(layer, target);
-  const std::string name = json_string(layer.id);
+  const std::string name = quoted(layer.id);
   return fmt::format(
       "{{\"ty\":4,\"nm\":{},\"ind\":{},\"ip\":0,\"op\":{},\"st\":0,\"ks\":{{{}}},\n"
       "\"shapes\":[{{\"ty\":\"gr\",\"nm\":{},\"it\":[{}{{\"ty\":\"tr\",{}}}]}}]}}",
@@ -160,9 +155,7 @@ std::string shape_layer(const motion::AnimatedLayer& layer, std::size_t index, i
 }  // namespace
 
 std::string lottie(const motion::Animation& animation, const OutputOptions& options) {
-  if (options.frames < 2) {
-    throw std::invalid_argument(fmt::format("{} frames are less than 2", options.frames));
-  }
+  check_at_least("frames", options.frames, 2);
   const AnimatedControlPoints points = control_points(animation, options.tolerance);
   const ViewBox& box = animation.view_box;
   Target target{box, options.pixels / std::max(box.width, box.height),

@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
-#include <fmt/format.h>
-
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/animations/coverage.hpp"
 
 namespace wavecurve::io {
@@ -67,9 +65,7 @@ std::uint8_t byte(float value) {
 }  // namespace
 
 RasterSize raster_size(const ViewBox& box, int pixels) {
-  if (pixels < 2 || pixels > 16384) {
-    throw std::invalid_argument(fmt::format("{} pixels are not 2 .. 16384", pixels));
-  }
+  check_between("pixels", pixels, 2, 16384);
   const double scale = pixels / std::max(box.width, box.height);
   const auto even = [](double length) {
     return std::max(2, 2 * static_cast<int>(std::lround(length / 2)));

@@ -1,9 +1,6 @@
 #include "wavecurve/io/animations/render_frames.hpp"
 
-#include <stdexcept>
-
-#include <fmt/format.h>
-
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/motion/check_animation.hpp"
 
 namespace wavecurve::io {
@@ -11,9 +8,7 @@ namespace wavecurve::io {
 void render_frames(const motion::Animation& animation, const OutputOptions& options,
                    const std::function<void(const Raster&)>& take) {
   motion::check_animation(animation);
-  if (options.frames < 2) {
-    throw std::invalid_argument(fmt::format("{} frames are less than 2", options.frames));
-  }
+  check_at_least("frames", options.frames, 2);
   const RasterSize size = raster_size(animation.view_box, options.pixels);
   for (int i = 0; i < options.frames; ++i) {
     const double time = animation.duration * i / (options.frames - 1);

@@ -8,7 +8,7 @@
 
 namespace wavecurve::io {
 
-/// A colour as #rrggbb.
+/// A colour as #rrggbb; components beyond 0 .. 1 are clamped.
 std::string hex_colour(const Colour& colour);
 
 /// A paint as SVG presentation attributes, name and value, in a fixed order; always the same names

@@ -2,27 +2,40 @@
 
 namespace wavecurve::io {
 
+namespace {
+
+bool is_forbidden(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+}
+
+}  // namespace
+
 std::string xml_escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
     switch (c) {
       case '&':
-        result += "&amp;";
+        escaped += "&amp;";
         break;
       case '<':
-        result += "&lt;";
+        escaped += "&lt;";
         break;
       case '>':
-        result += "&gt;";
+        escaped += "&gt;";
         break;
       case '"':
-        result += "&quot;";
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
         break;
       default:
-        result += c;
+        is_forbidden(c) ? escaped += "\xEF\xBF\xBD" : escaped += c;
     }
   }
-  return result;
+  return escaped;
 }
 
 }  // namespace wavecurve::io

@@ -5,7 +5,8 @@
 
 namespace wavecurve::io {
 
-/// Text as XML or HTML has it, between tags or in a quoted attribute.
+/// Text as XML, HTML and SVG have it, between tags or in a quoted attribute. Control characters,
+/// which none of them allows, become U+FFFD.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace wavecurve::io

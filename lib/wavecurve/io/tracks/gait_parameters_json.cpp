@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/json_values.hpp"
 
@@ -113,9 +114,7 @@ Eigen::VectorXd list(const json& values, const char* what, Index size, bool null
 }
 
 gait::GaitModel model_of(const json& object) {
-  const auto name = object.at("model").get<std::string>();
-  if (const auto model = gait::find_gait_model(name)) return *model;
-  throw std::invalid_argument(fmt::format("there is no model '{}'", name));
+  return gait::find_gait_model(object.at("model").get<std::string>());
 }
 
 gait::PhaseMotion motion_of(const json& object, Index coefficients) {
@@ -153,15 +152,15 @@ gait::LimbPath path_of(const json& object, Index scale) {
       part.start.col(0) = list(span.at("x"), "x", scale, false);
       part.start.col(1) = list(span.at("y"), "y", scale, false);
       if (!(part.share > 0 && part.share <= 1)) {
-        throw std::invalid_argument(fmt::format(
-            "the share of phase {} is {}, but must be above 0, at most 1", part.phase, part.share));
+        throw std::invalid_argument(
+            must_be("the share of phase " + part.phase, part.share, "above 0 and at most 1"));
       }
       sum += part.share;
       path.spans.push_back(std::move(part));
     }
     // Shares are rounded, each by half a unit at most.
     if (std::abs(sum - 1) > 1e-9) {
-      throw std::invalid_argument(fmt::format("the shares sum up to {}, but must to 1", sum));
+      throw std::invalid_argument(must_be("the sum of the shares", sum, "1"));
     }
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("limb {}: {}", path.limb, error.what()));

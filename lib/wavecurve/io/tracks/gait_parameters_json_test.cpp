@@ -1,6 +1,5 @@
 #include "wavecurve/io/tracks/gait_parameters_json.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <unistd.h>
@@ -12,7 +11,7 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/motion/gait/model/fit_gait.hpp"
-#include "wavecurve/motion/gait/record/planted_gait.hpp"
+#include "wavecurve/motion/gait/record/planted_gait_test.hpp"
 
 namespace wavecurve::io {
 namespace {
@@ -103,7 +102,9 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   EXPECT_EQ(refusal(bad), "limb LF: y must be a list of 8 numbers");
   bad = good;
   bad["limbs"][1]["phases"][1]["model"] = "septic";
-  EXPECT_EQ(refusal(bad), "limb RF: there is no model 'septic'");
+  EXPECT_EQ(refusal(bad),
+            "limb RF: unknown model 'septic'; known: linear, quadratic, quadratic-by-limb, "
+            "quadratic-by-level, cubic, quartic, quintic, sextic, oscillator, fourier");
   bad = good;
   bad["limbs"][1]["phases"][1]["parameters"] = nlohmann::json::array();
   EXPECT_NE(refusal(bad).find("has 0 rows of parameters"), std::string::npos) << refusal(bad);

@@ -9,7 +9,9 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
+#include "wavecurve/io/files/natural_order.hpp"
 #include "wavecurve/io/files/read_gzip.hpp"
 #include "wavecurve/io/files/text.hpp"
 #include "wavecurve/io/tracks/track_table.hpp"
@@ -33,36 +35,13 @@ bool has_ending(const Path& path, std::string_view ending) {
   return lower_case(path.filename().string()).ends_with(ending);
 }
 
-/// frame-2 precedes frame-10: a number is less than one of more digits, zeros before it apart.
-bool precedes(std::string_view a, std::string_view b) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto number = [&](std::string_view& text) {
-    const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
-    std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-    text.remove_prefix(digits.size());
-    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-    return digits;
-  };
-  while (!a.empty() && !b.empty()) {
-    if (is_digit(a[0]) && is_digit(b[0])) {
-      const std::string_view x = number(a), y = number(b);
-      if (x.size() != y.size()) return x.size() < y.size();
-      if (x != y) return x < y;
-    } else {
-      if (a[0] != b[0]) return a[0] < b[0];
-      a.remove_prefix(1), b.remove_prefix(1);
-    }
-  }
-  return a.size() < b.size();
-}
-
 std::vector<Path> frames_in(const Path& folder) {
   std::vector<Path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (has_ending(entry.path(), ".svg")) files.push_back(entry.path());
   }
   const auto by_number = [](const Path& a, const Path& b) {
-    return precedes(a.filename().string(), b.filename().string());
+    return naturally_precedes(a.filename().string(), b.filename().string());
   };
   std::sort(files.begin(), files.end());
   std::stable_sort(files.begin(), files.end(), by_number);
@@ -158,7 +137,7 @@ Index samples_of(const gait::LimbTrack& track, bool table, const TrackOptions& o
   const Index count = track.outlines[0].rows();
   const auto differs = [&](const Contour& outline) { return outline.rows() != count; };
   const bool same = std::none_of(track.outlines.begin(), track.outlines.end(), differs);
-  return table && same && (count & (count - 1)) == 0 ? count : usual_samples;
+  return table && same && is_power_of_two(count) ? count : usual_samples;
 }
 
 void set_outlines(gait::LimbTrack& track, Source source, const TrackOptions& options) {

@@ -1,6 +1,5 @@
 #include "wavecurve/io/tracks/read_limb_tracks.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -202,7 +201,7 @@ TEST_F(ReadLimbTracks, ErrorsNameTheFile) {
   std::string later = still;
   for (std::size_t i = 0; i < later.size(); i += 11) later[i] = '1';
   EXPECT_EQ(refused(write("a.csv", "frame,limb,k,x,y\n" + still + later), {.samples = 64}),
-            "limb LF: the length of a contour is 0, but must be positive");
+            "limb LF: the length of a contour is 0, but must be above 0");
   EXPECT_EQ(refused(walk, {.thickness = 0}).find("limb LF: the radius of a limb is 0"), 0U);
 }
 

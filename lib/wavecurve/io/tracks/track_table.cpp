@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -9,8 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/io/drawings/svg/svg_length.hpp"
 #include "wavecurve/io/drawings/svg/tidy_outline.hpp"
+#include "wavecurve/io/files/csv.hpp"
 #include "wavecurve/io/files/for_each_line.hpp"
 #include "wavecurve/io/files/text.hpp"
 
@@ -23,16 +26,6 @@ constexpr std::size_t absent = std::string_view::npos, most_limbs = 100;
 template <class... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> form, Values&&... values) {
   throw std::invalid_argument(fmt::format(form, std::forward<Values>(values)...));
-}
-
-std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t end = std::min(line.find(separator), line.size());
-    cells.push_back(trimmed(line.substr(0, end)));
-    if (end == line.size()) return cells;
-    line.remove_prefix(end + 1);
-  }
 }
 
 /// A name as it stands, or followed by a unit.
@@ -50,7 +43,7 @@ struct Columns {
       if (header.find(c) != absent) separator = c;
     }
     const std::string names = lower_case(header);
-    const auto cells = cells_of(names, separator);
+    const auto cells = csv_fields(names, separator);
     const auto find = [&](std::initializer_list<std::string_view> wanted) {
       for (const std::string_view name : wanted) {
         const auto found = std::find_if(cells.begin(), cells.end(), [&](std::string_view cell) {
@@ -78,7 +71,7 @@ struct Columns {
 };
 
 struct Entry {
-  std::string_view joint;
+  std::string joint;
   double k = 0;
   Eigen::RowVector2d point;
   int line = 0;
@@ -87,7 +80,7 @@ struct Entry {
 struct Frame {
   std::optional<double> time;
   int line = 0;  ///< of its first entry
-  std::map<std::string_view, std::vector<Entry>> limbs;
+  std::map<std::string, std::vector<Entry>, std::less<>> limbs;
 };
 
 class TableReader {
@@ -99,7 +92,7 @@ class TableReader {
       columns_.emplace(line, number);
       return;
     }
-    const auto cells = cells_of(line, columns_->separator);
+    const auto cells = csv_fields(line, columns_->separator);
     if (cells.size() != columns_->count) {
       refuse("line {}: '{}' has {} entries, the header has {}", number, shown(line), cells.size(),
              columns_->count);
@@ -114,14 +107,14 @@ class TableReader {
     }
     for (const std::string& limb : wanted_) {
       if (std::find(names_.begin(), names_.end(), limb) == names_.end()) {
-        refuse("there is no limb {}", limb);
+        throw std::invalid_argument(unknown_name("limb", limb, names_));
       }
     }
     TrackTable table;
     table.tracks.times = times();
     table.joints = columns_->k == absent;
     table.treadmill = columns_->treadmill;
-    for (const std::string_view name : names_) table.tracks.limbs.push_back(limb(name));
+    for (const std::string& name : names_) table.tracks.limbs.push_back(limb(name));
     return table;
   }
 
@@ -134,8 +127,8 @@ class TableReader {
     return *value;
   }
 
-  void add(const std::vector<std::string_view>& cells, int line) {
-    const std::string_view name = cells[columns_->limb];
+  void add(const std::vector<std::string>& cells, int line) {
+    const std::string& name = cells[columns_->limb];
     if (name.empty()) refuse("line {}: the limb has no name", line);
     if (!wanted_.empty() && std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) {
       return;
@@ -162,7 +155,7 @@ class TableReader {
     frame.limbs[name].push_back(entry);
   }
 
-  void note(std::string_view name, int line) {
+  void note(const std::string& name, int line) {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
     if (names_.size() == most_limbs) refuse("line {}: more than {} limbs", line, most_limbs);
     names_.push_back(name);
@@ -260,7 +253,7 @@ class TableReader {
   const std::vector<std::string>& wanted_;
   std::optional<Columns> columns_;
   std::map<double, Frame> frames_;
-  std::vector<std::string_view> names_;  ///< in the order of the file
+  std::vector<std::string> names_;  ///< in the order of the file
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "wavecurve/io/tracks/track_table.hpp"
 
-#include <stdexcept>
-
 #include <gtest/gtest.h>
 
 #include "wavecurve/io/drawings/svg/drawing_test.hpp"
@@ -64,7 +62,7 @@ TEST(TrackTable, ColumnsAreFoundByName) {
 TEST(TrackTable, OnlyTheLimbsThatAreAskedForAreLookedAt) {
   const std::string text = header + square(0) + square(1) + square(1, "RF") + "1,RF,no,x,y\n";
   EXPECT_EQ(read_track_table(text, {"LF"}).tracks.limbs.size(), 1U);
-  EXPECT_EQ(refused(text, {"LF", "LH"}), "there is no limb LH");
+  EXPECT_EQ(refused(text, {"LF", "LH"}), "unknown limb 'LH'; known: LF");
 }
 
 TEST(TrackTable, WhatIsMissingIsNamed) {

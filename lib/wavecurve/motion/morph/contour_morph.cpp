@@ -5,9 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::motion {
 
 using Eigen::Index;
+
+void check_stage_share(double share) {
+  if (share > 0 && share <= 0.5) return;
+  throw std::invalid_argument(
+      must_be("the share of the stage", share, "above 0 and at most 0.5 of the time"));
+}
 
 DetailShares detail_shares(Detail detail, double stage_share, double tau) {
   switch (detail) {
@@ -29,8 +37,8 @@ ContourMorph::ContourMorph(const FilterBank<double>& bank, Index samples, int le
   for (int l = 0; l <= levels; ++l) {
     if (scale == samples >> l) return;
   }
-  throw std::invalid_argument(fmt::format(
-      "the scale is {}, but must be one of {} / 2^l, l = 0 .. {}", scale, samples, levels));
+  throw std::invalid_argument(
+      must_be("scale", scale, fmt::format("{} / 2^l for an l from 0 to {}", samples, levels)));
 }
 
 void ContourMorph::frame(const ContourPair& pair, double tau, DetailShares shares,
@@ -39,8 +47,8 @@ void ContourMorph::frame(const ContourPair& pair, double tau, DetailShares share
   if (pair.source.rows() != samples || pair.destination.rows() != samples ||
       points.rows() != samples) {
     throw std::invalid_argument(
-        fmt::format("a pair of contours of {} and {} coefficients, a frame "
-                    "of {} points; all must have {}",
+        fmt::format("a pair of contours of {} and {} coefficients, a frame of {} points; all must "
+                    "have {}",
                     pair.source.rows(), pair.destination.rows(), points.rows(), samples));
   }
   for (int axis = 0; axis < 2; ++axis) {

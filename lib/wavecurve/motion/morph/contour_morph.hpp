@@ -17,6 +17,9 @@ struct DetailShares {
 /// 1 - tau.
 DetailShares detail_shares(Detail detail, double stage_share, double tau);
 
+/// Throws std::invalid_argument for a share of a stage outside (0, 0.5].
+void check_stage_share(double share);
+
 /// Frames of corresponding contours, coefficients to points, of one transform and scale:
 ///   x(tau) = S [(1 - tau) A^s + tau A^d; source share D^s + destination share D^d],
 /// A the first `scale` coefficients, D the others, S the synthesis matrix. Publication, (4.1).

@@ -10,6 +10,7 @@
 #include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/motion/blend_paint.hpp"
 #include "wavecurve/motion/morph/pair_contours.hpp"
 
@@ -79,10 +80,7 @@ void check_starts(const Layers& source, const MorphOptions& options) {
       throw std::invalid_argument(
           fmt::format("the start {}={} fits no layer of the source", id, start));
     }
-    if (start < 0 || start >= options.samples) {
-      throw std::invalid_argument(fmt::format("the start of layer '{}' is {}, but must be 0 .. {}",
-                                              id, start, options.samples - 1));
-    }
+    check_between(fmt::format("the start of layer '{}'", id), start, 0, options.samples - 1);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/motion/morph/assignment.hpp"
 #include "wavecurve/motion/morph/painting_order.hpp"
 #include "wavecurve/motion/oklab.hpp"
@@ -37,10 +38,8 @@ std::size_t place_of(const Layers& layers, const std::string& id, const char* wh
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (layers[i].id == id) return i;
   }
-  std::string known;
-  for (const FrameLayer& layer : layers) known += " " + layer.id;
   throw std::invalid_argument(
-      fmt::format("the {} has no layer '{}'; its layers are{}", which, id, known));
+      unknown_name(fmt::format("layer of the {}", which), id, layers, &FrameLayer::id));
 }
 
 /// The partner of each layer of the source, and of the destination.
@@ -112,6 +111,22 @@ std::vector<std::size_t> unmatched(const Partners& partners) {
   return places;
 }
 
+double colour_distance(const std::optional<Colour>& a, const std::optional<Colour>& b) {
+  if (a.has_value() != b.has_value()) return 1;
+  return a ? (to_oklab(*a) - to_oklab(*b)).norm() : 0;
+}
+
+/// Each share 0 .. about 1.
+double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal) {
+  const double distance =
+      (largest(a.contours).colwise().mean() - largest(b.contours).colwise().mean()).norm();
+  const double size = std::abs(std::sqrt(area(a.contours)) - std::sqrt(area(b.contours)));
+  const bool has_fill = a.paint.fill || b.paint.fill;
+  const double colour = has_fill ? colour_distance(a.paint.fill, b.paint.fill)
+                                 : colour_distance(a.paint.stroke, b.paint.stroke);
+  return (distance + size) / diagonal + colour;
+}
+
 void match_by_cost(const Layers& source, const Layers& destination, double diagonal,
                    Matching& matching) {
   const auto s = unmatched(matching.of_source), d = unmatched(matching.of_destination);
@@ -128,22 +143,7 @@ void match_by_cost(const Layers& source, const Layers& destination, double diago
   }
 }
 
-double colour_distance(const std::optional<Colour>& a, const std::optional<Colour>& b) {
-  if (a.has_value() != b.has_value()) return 1;
-  return a ? (to_oklab(*a) - to_oklab(*b)).norm() : 0;
-}
-
 }  // namespace
-
-double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal) {
-  const double distance =
-      (largest(a.contours).colwise().mean() - largest(b.contours).colwise().mean()).norm();
-  const double size = std::abs(std::sqrt(area(a.contours)) - std::sqrt(area(b.contours)));
-  const bool has_fill = a.paint.fill || b.paint.fill;
-  const double colour = has_fill ? colour_distance(a.paint.fill, b.paint.fill)
-                                 : colour_distance(a.paint.stroke, b.paint.stroke);
-  return (distance + size) / diagonal + colour;
-}
 
 std::vector<LayerMatch> match_layers(const Layers& source, const Layers& destination,
                                      double diagonal, const LayerMap& map) {

@@ -18,14 +18,12 @@ struct LayerMatch {
 /// Ids of a source and a destination layer that belong together, whatever else speaks against it.
 using LayerMap = std::vector<std::pair<std::string, std::string>>;
 
-/// What it costs to match two layers, each share 0 .. about 1: the distance of their centroids and
-/// the difference of the square roots of their areas, both relative to the diagonal of the view
-/// box, and the distance of their colours in OKLab (1 between black and white, and between a fill
-/// and none).
-double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal);
-
 /// Matches the layers of two drawings: those of the map, then those of equal ids, then as many of
-/// the rest as there are on both sides, by the least sum of matching_cost. In painting_order.
+/// the rest as there are on both sides, by the least sum of costs. In painting_order.
+///
+/// The cost of a pair is the distance of their centroids and the difference of the square roots of
+/// their areas, both relative to the diagonal of the view box, and the distance of their colours in
+/// OKLab (1 between black and white, and between a fill and none).
 ///
 /// Ids that only number the layers say nothing: those of a drawing whose layers all have one stem,
 /// such as L00, L01, L02, and those of an SVG element's name and a number, such as path-3, which

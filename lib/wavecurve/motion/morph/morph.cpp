@@ -14,10 +14,7 @@ namespace {
 std::vector<double> knots(const Morph& morph) {
   if (morph.detail != Detail::stage) return {0, 1};
   const double share = morph.stage_share;
-  if (!(share > 0 && share <= 0.5)) {
-    throw std::invalid_argument(fmt::format(
-        "the stage takes {} of the time, but must take more than 0 and at most 0.5", share));
-  }
+  check_stage_share(share);
   if (share == 0.5) return {0, 0.5, 1};
   return {0, share, 1 - share, 1};
 }

@@ -13,6 +13,7 @@
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/solver.hpp"
 #include "wavecurve/dynamics/translation.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/motion/morph/contour_morph.hpp"
 
 namespace wavecurve::motion {
@@ -96,26 +97,16 @@ void append_contour(std::vector<OutlineKey>& keys, const Morph& morph, const Mor
 }
 
 void check(const Morph& morph, const PhysicalOptions& options) {
-  if (options.frames < 2) {
-    throw std::invalid_argument(
-        fmt::format("frames is {}, but must be at least 2", options.frames));
-  }
-  if (options.until && !(*options.until > 0 && std::isfinite(*options.until))) {
-    throw std::invalid_argument(
-        fmt::format("until is {}, but must be finite and above 0", *options.until));
-  }
+  check_at_least("frames", options.frames, 2);
+  if (options.until) check_above_zero("until", *options.until);
   if (!options.force.allFinite()) {
     throw std::invalid_argument(
         fmt::format("force is {}, {}, but must be finite", options.force.x(), options.force.y()));
   }
   if (options.material.density == 0 && !options.force.isZero(0)) {
-    throw std::domain_error("density is 0, but must be above 0 for a force to throw the contours");
+    throw std::domain_error(must_be("density", 0, "above 0 for a force to throw the contours"));
   }
-  const double share = morph.stage_share;
-  if (morph.detail == Detail::stage && !(share > 0 && share <= 0.5)) {
-    throw std::invalid_argument(fmt::format(
-        "the stage takes {} of the time, but must take more than 0 and at most 0.5", share));
-  }
+  if (morph.detail == Detail::stage) check_stage_share(morph.stage_share);
   dynamics::find_solver(options.solver);
 }
 
@@ -160,10 +151,10 @@ class Remainder {
 void check_settles(const dynamics::Material& material) {
   if (material.stiffness_damping == 0 && material.mass_damping == 0 &&
       material.damping_density == 0) {
-    throw std::domain_error("damping is 0, but must be above 0 for the motion to settle");
+    throw std::domain_error(must_be("damping", 0, "above 0 for the motion to settle"));
   }
   if (material.stiffness == 0 && material.bending == 0) {
-    throw std::domain_error("stiffness is 0, but must be above 0 for the motion to settle");
+    throw std::domain_error(must_be("stiffness", 0, "above 0 for the motion to settle"));
   }
 }
 

@@ -182,7 +182,7 @@ TEST(PhysicalMotion, RefusesWhatIsOutOfBounds) {
   refuses([](auto& o) { o.until = 0.0; }, "until is 0");
   refuses([](auto& o) { o.until = NAN; }, "until is nan");
   refuses([](auto& o) { o.force[1] = INFINITY; }, "force is 0, inf");
-  refuses([](auto& o) { o.solver = "magic"; }, "must be one of spectral");
+  refuses([](auto& o) { o.solver = "magic"; }, "unknown solver 'magic'; known: spectral");
   refuses([](auto& o) { o.material.density = -1; }, "density is -1");
   refuses([](auto& o) { o.material.stiffness_damping = 0; }, "damping is 0");
   refuses([](auto& o) { o.material.stiffness_damping = 1e-9; }, "does not settle");

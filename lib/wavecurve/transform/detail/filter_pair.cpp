@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/detail/rotation_kernels.hpp"
 
 namespace wavecurve {
@@ -10,8 +11,6 @@ namespace {
 
 /// Outputs computed at a time, so that what they are computed from stays in the first-level cache.
 Eigen::Index block_size(Layout layout) { return layout == Layout::interleaved ? 32 : 256; }
-
-int floor_half(int n) { return (n - (n & 1)) / 2; }
 
 /// Inputs beyond the number of outputs.
 template <class Scalar>

@@ -1,14 +1,12 @@
 #include "wavecurve/transform/detail/stockham_transform.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/stockham_transform.cpp"
@@ -145,8 +143,8 @@ HWY_EXPORT(stockham);
 namespace {
 
 Eigen::Index checked(Eigen::Index size) {
-  if (size >= 1 && std::has_single_bit(static_cast<std::uint64_t>(size))) return size;
-  throw std::invalid_argument(fmt::format("size is {}, but must be a power of two", size));
+  if (is_power_of_two(size)) return size;
+  throw std::invalid_argument(must_be("size", size, "a power of two"));
 }
 
 }  // namespace

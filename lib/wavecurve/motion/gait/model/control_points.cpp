@@ -1,11 +1,12 @@
 #include "wavecurve/motion/gait/model/control_points.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 
 namespace wavecurve::gait {
 
@@ -14,18 +15,15 @@ using Eigen::Index;
 namespace {
 
 int levels_between(Index samples, Index scale) {
-  const auto is_power = [](Index n) {
-    return n >= 4 && std::has_single_bit(static_cast<std::uint64_t>(n));
-  };
-  if (!is_power(samples)) {
+  if (!is_power_of_two(samples) || samples < 4) {
     throw std::invalid_argument(
-        fmt::format("an outline has {} points, but must have a power of two, at least 4", samples));
+        must_be("the number of points of an outline", samples, "a power of two, at least 4"));
   }
-  if (!is_power(scale) || scale > samples) {
+  if (!is_power_of_two(scale) || scale < 4 || scale > samples) {
     throw std::invalid_argument(
-        fmt::format("the scale is {}, but must be a power of two from 4 to {}", scale, samples));
+        must_be("scale", scale, fmt::format("a power of two from 4 to {}", samples)));
   }
-  return std::countr_zero(static_cast<std::uint64_t>(samples / scale));
+  return all_levels(samples / scale);
 }
 
 }  // namespace

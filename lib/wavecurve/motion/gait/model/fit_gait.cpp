@@ -1,7 +1,6 @@
 #include "wavecurve/motion/gait/model/fit_gait.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -19,13 +18,8 @@ using Eigen::Index;
 constexpr double least_movement = 0.01;  // of the foot's excursion
 constexpr int most_harmonics = 4;
 
-const LimbTrack& track_of(const LimbTracks& tracks, const LimbCycle& limb) {
-  return *std::find_if(tracks.limbs.begin(), tracks.limbs.end(),
-                       [&](const LimbTrack& track) { return track.limb == limb.limb; });
-}
-
 Index points_of(const LimbTracks& tracks, const LimbCycle& limb) {
-  return track_of(tracks, limb).outlines.front().rows();
+  return find_track(tracks, limb.limb)->outlines.front().rows();
 }
 
 /// The four limbs' control points, over the record or, of a loop, three turns of it.
@@ -33,7 +27,7 @@ LimbTracks control_point_tracks(const LimbTracks& tracks, const GaitCycle& cycle
                                 const GaitFitOptions& options) {
   LimbTracks result{tracks.times, {}};
   for (const LimbCycle& limb : cycle.limbs) {
-    const LimbTrack& track = track_of(tracks, limb);
+    const LimbTrack& track = *find_track(tracks, limb.limb);
     const Index samples = track.outlines.front().rows();
     try {
       const ControlPoints points(options.bank, samples, options.scale.value_or(samples));

@@ -8,12 +8,33 @@
 
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/motion/gait/model/control_points.hpp"
-#include "wavecurve/motion/gait/record/planted_gait.hpp"
+#include "wavecurve/motion/gait/record/planted_gait_test.hpp"
 #include "wavecurve/motion/gait/walk/ground_contact.hpp"
 #include "wavecurve/motion/gait/walk/synthesize_gait.hpp"
 
 namespace wavecurve::gait {
 namespace {
+
+/// The fitted animal's own outlines, `frames` equidistant ones of one cycle (the one after the last
+/// is the first), from `scale` control points, at most the fitted number.
+LimbTracks synthesize_limbs(const GaitParameters& parameters, const FilterBank<double>& bank,
+                            const std::vector<LimbPath>& paths, int frames, Eigen::Index scale) {
+  const ControlPoints fine(bank, parameters.samples, parameters.scale);
+  const ControlPoints coarse(bank, parameters.samples, scale);
+  const bool is_coarser = scale < parameters.scale;
+  LimbTracks tracks{Eigen::VectorXd(frames), {}};
+  for (int i = 0; i < frames; ++i) tracks.times[i] = parameters.period * i / frames;
+  for (const LimbPath& path : paths) {
+    LimbTrack track{path.limb, {}};
+    for (int i = 0; i < frames; ++i) {
+      Contour outline = fine.draw(pose_at(path, static_cast<double>(i) / frames));
+      if (is_coarser) outline = coarse.draw(coarse.analyse(outline));
+      track.outlines.push_back(std::move(outline));
+    }
+    tracks.limbs.push_back(std::move(track));
+  }
+  return tracks;
+}
 
 using Eigen::Index;
 
@@ -150,17 +171,18 @@ TEST(FitGait, RefusesBadScalesAndKeyFrames) {
   PlantedGait plan;
   const LimbTracks tracks = plan.tracks();
   EXPECT_EQ(refusal(tracks, options_at(3)),
-            "limb 'LF': the scale is 3, but must be a power of two from 4 to 64");
+            "limb 'LF': scale is 3, but must be a power of two from 4 to 64");
   EXPECT_EQ(refusal(tracks, options_at(128)),
-            "limb 'LF': the scale is 128, but must be a power of two from 4 to 64");
+            "limb 'LF': scale is 128, but must be a power of two from 4 to 64");
   GaitFitOptions options = options_at(16);
   options.key_frames = {1, 9};
   EXPECT_EQ(refusal(tracks, options), "key frame 2 is at 9, but the record is from 0 to 3.4");
   options.key_frames = {1, 1};
   EXPECT_NE(refusal(tracks, options).find("key frame 2 is 0 after key frame 1"), std::string::npos);
   plan.points = 60;
-  EXPECT_EQ(refusal(plan.tracks(), options_at()),
-            "limb 'LF': an outline has 60 points, but must have a power of two, at least 4");
+  EXPECT_EQ(
+      refusal(plan.tracks(), options_at()),
+      "limb 'LF': the number of points of an outline is 60, but must be a power of two, at least 4");
 }
 
 // The publication's cycle: the four key poses are those of the record, and left and right change

@@ -15,12 +15,6 @@ namespace {
 
 using Eigen::Index;
 
-const LimbTrack* find_track(const LimbTracks& tracks, const std::string& limb) {
-  const auto found = std::find_if(tracks.limbs.begin(), tracks.limbs.end(),
-                                  [&](const LimbTrack& track) { return track.limb == limb; });
-  return found == tracks.limbs.end() ? nullptr : &*found;
-}
-
 Contour mean_outline(const LimbTrack& track) {
   Contour mean = Contour::Zero(track.outlines.front().rows(), 2);
   for (const Contour& outline : track.outlines) mean += outline;

@@ -1,47 +1,11 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string_view>
-
 #include <Eigen/Core>
 
 #include "wavecurve/curves/contour.hpp"
+#include "wavecurve/motion/gait/model/gait_model.hpp"
 
 namespace wavecurve::gait {
-
-/// How control points go from a key frame to the next. All pass through both.
-enum class GaitModel {
-  linear,
-  quadratic,           ///< the publication's, a gamma for each coefficient
-  quadratic_by_limb,   ///< one gamma for all coefficients of a limb
-  quadratic_by_level,  ///< one gamma for each band of a wavelet transform of the control points
-  cubic,
-  quartic,
-  quintic,
-  sextic,
-  oscillator,  ///< (3.16) itself, a pair of constants for each coefficient
-  fourier,     ///< periodic, one series for the whole cycle
-};
-
-inline constexpr std::array gait_models{GaitModel::linear,
-                                        GaitModel::quadratic,
-                                        GaitModel::quadratic_by_limb,
-                                        GaitModel::quadratic_by_level,
-                                        GaitModel::cubic,
-                                        GaitModel::quartic,
-                                        GaitModel::quintic,
-                                        GaitModel::sextic,
-                                        GaitModel::oscillator,
-                                        GaitModel::fourier};
-
-/// "quadratic-by-limb" and the like.
-std::string_view model_name(GaitModel model);
-/// None for a text that names none.
-std::optional<GaitModel> find_gait_model(std::string_view name);
-
-/// Whether a model has so many rows of parameters.
-bool has_rows(GaitModel model, Eigen::Index rows);
 
 /// The motion from a key frame q_1 at tau = 0 to the next, q_2, at tau = 1. A coefficient is one
 /// coordinate of one control point; there are 2 K of them, the x of all K points before the y.

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include <fmt/format.h>
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::gait {
 
@@ -17,12 +17,10 @@ const std::vector<CanineGait>& canine_gaits() {
 }
 
 const CanineGait& find_canine_gait(std::string_view name) {
-  std::string known;
   for (const CanineGait& gait : canine_gaits()) {
     if (gait.name == name) return gait;
-    known += (known.empty() ? "" : ", ") + gait.name;
   }
-  throw std::invalid_argument(fmt::format("there is no gait '{}'; there are {}", name, known));
+  throw std::invalid_argument(unknown_name("gait", name, canine_gaits(), &CanineGait::name));
 }
 
 }  // namespace wavecurve::gait

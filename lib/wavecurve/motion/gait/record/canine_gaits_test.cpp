@@ -51,7 +51,7 @@ TEST(CanineGaits, NamesThoseThatThereAre) {
     find_canine_gait("amble");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "there is no gait 'amble'; there are walk, trot, pace, gallop");
+    EXPECT_STREQ(error.what(), "unknown gait 'amble'; known: walk, trot, pace, gallop");
   }
 }
 

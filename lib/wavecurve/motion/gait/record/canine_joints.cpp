@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::gait {
 
 namespace {
@@ -65,8 +67,8 @@ Contour pantograph(const CanineLimb& limb, const RowVector2d& end) {
   const double distance = way.norm(), outer = first + third;
   if (!(distance <= outer + second) || !(distance >= std::abs(outer - second))) {
     throw std::domain_error(
-        fmt::format("a foot is {} from the pivot of its limb, but must be from {} to {}", distance,
-                    std::abs(outer - second), outer + second));
+        must_be("the distance of a foot from the pivot of its limb", distance,
+                fmt::format("from {} to {}", std::abs(outer - second), outer + second)));
   }
   const double cosine =
       (distance * distance + outer * outer - second * second) / (2 * distance * outer);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/bad_value.hpp"
+
 namespace wavecurve::gait {
 
 namespace {
@@ -14,10 +16,7 @@ using Eigen::Index;
 
 void check_times(const Eigen::VectorXd& times) {
   constexpr Index fewest = 4;
-  if (times.size() < fewest) {
-    throw std::invalid_argument(fmt::format(
-        "the record has {} frames, but a gait takes at least {}", times.size(), fewest));
-  }
+  check_at_least("the number of frames", times.size(), fewest);
   for (Index i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1])) {
       throw std::invalid_argument(fmt::format(

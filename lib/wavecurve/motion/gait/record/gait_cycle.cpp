@@ -62,10 +62,9 @@ struct FootPath {
 std::vector<FootPath> foot_paths(const LimbTracks& tracks) {
   std::vector<FootPath> paths;
   for (std::string_view name : limb_names) {
-    const auto track = std::find_if(tracks.limbs.begin(), tracks.limbs.end(),
-                                    [&](const LimbTrack& t) { return t.limb == name; });
-    if (track == tracks.limbs.end()) continue;
-    FootPath path{&*track, foot_of(*track), {}, {}, {}};
+    const LimbTrack* const track = find_track(tracks, name);
+    if (!track) continue;
+    FootPath path{track, foot_of(*track), {}, {}, {}};
     path.x = coordinate(*track, path.foot, 0);
     path.y = coordinate(*track, path.foot, 1);
     // A limb that only shakes has no gait: 1e-9 of its size is rounding.
@@ -218,13 +217,14 @@ std::optional<GaitCycle> analyse(const LimbTracks& tracks) {
   return cycle;
 }
 
-}  // namespace
-
+/// The duration of a loop.
 double loop_period(const LimbTracks& tracks) {
   const Index frames = tracks.times.size();
   const double span = tracks.times[frames - 1] - tracks.times[0];
   return span * static_cast<double>(frames) / static_cast<double>(frames - 1);
 }
+
+}  // namespace
 
 LimbTracks unrolled(const LimbTracks& tracks) {
   const Index frames = tracks.times.size();

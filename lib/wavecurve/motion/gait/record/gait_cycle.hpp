@@ -60,7 +60,4 @@ Contour outline_at(const Eigen::VectorXd& times, const LimbTrack& track, double 
 /// first are as far apart as frames are on average.
 LimbTracks unrolled(const LimbTracks& tracks);
 
-/// The duration of a loop.
-double loop_period(const LimbTracks& tracks);
-
 }  // namespace wavecurve::gait

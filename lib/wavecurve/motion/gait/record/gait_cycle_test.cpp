@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/motion/gait/record/planted_gait.hpp"
+#include "wavecurve/motion/gait/record/planted_gait_test.hpp"
 
 namespace wavecurve::gait {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,5 +23,8 @@ struct LimbTracks {
   Eigen::VectorXd times;  ///< strictly increasing: seconds, or numbers of frames
   std::vector<LimbTrack> limbs;
 };
+
+/// The track of a limb; none if it was not recorded.
+const LimbTrack* find_track(const LimbTracks& tracks, std::string_view limb);
 
 }  // namespace wavecurve::gait

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::gait {
 
@@ -28,10 +29,7 @@ void check(const std::vector<Contour>& joints, double radius) {
     }
     if (!chain.allFinite()) throw std::invalid_argument("the place of a joint is not finite");
   }
-  if (!(radius > 0) || !std::isfinite(radius)) {
-    throw std::invalid_argument(
-        fmt::format("the radius of a limb is {}, but must be positive and finite", radius));
-  }
+  check_above_zero("the radius of a limb", radius);
 }
 
 Eigen::VectorXd bone_lengths(const Contour& chain) {
@@ -48,7 +46,7 @@ std::vector<Contour> without_points(const std::vector<Contour>& joints) {
     if (longest[i] > 0) kept.push_back(i + 1);
   }
   if (kept.size() < 2) {
-    throw std::invalid_argument("the length of a chain of joints is 0, but must be positive");
+    throw std::invalid_argument(must_be("the length of a chain of joints", 0, "above 0"));
   }
   std::vector<Contour> result;
   for (const Contour& chain : joints) result.emplace_back(chain(kept, Eigen::all));

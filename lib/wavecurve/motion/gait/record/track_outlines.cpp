@@ -5,6 +5,7 @@
 
 #include "wavecurve/curves/correspondence.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/whole_numbers.hpp"
 
 namespace wavecurve::gait {
 
@@ -31,7 +32,7 @@ std::vector<Contour> track_outlines(const std::vector<Contour>& traced, Index sa
 bool correspond(const std::vector<Contour>& outlines) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Index count = outlines[i].rows();
-    if (count != outlines[0].rows() || count < fewest_samples || (count & (count - 1)) != 0) {
+    if (count != outlines[0].rows() || count < fewest_samples || !is_power_of_two(count)) {
       return false;
     }
     if (i == 0) continue;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/motion/gait/model/control_points.hpp"
 #include "wavecurve/motion/gait/walk/synthesize_gait.hpp"
 #include "wavecurve/motion/gait/walk/walking_limb.hpp"
@@ -71,18 +72,9 @@ struct BodyShift {
 };
 
 void check(const GaitAnimationOptions& options) {
-  if (options.frames < 2) {
-    throw std::invalid_argument(
-        fmt::format("frames is {}, but must be at least 2", options.frames));
-  }
-  if (options.cycles < 1) {
-    throw std::invalid_argument(
-        fmt::format("cycles is {}, but must be at least 1", options.cycles));
-  }
-  if (!(options.cycle_duration > 0 && std::isfinite(options.cycle_duration))) {
-    throw std::invalid_argument(
-        fmt::format("a cycle takes {} seconds, but must take more than 0", options.cycle_duration));
-  }
+  check_at_least("frames", options.frames, 2);
+  check_at_least("cycles", options.cycles, 1);
+  check_above_zero("the duration of a cycle", options.cycle_duration);
 }
 
 std::vector<WalkingLimb> walking_limbs(const GaitParameters& parameters,

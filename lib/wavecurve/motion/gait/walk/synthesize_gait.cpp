@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/motion/gait/model/control_points.hpp"
 #include "wavecurve/motion/gait/walk/ground_contact.hpp"
 
 namespace wavecurve::gait {
@@ -71,27 +70,6 @@ std::vector<LimbPath> gait_paths(const GaitParameters& parameters,
 
 std::vector<LimbPath> subcycle_paths(const GaitParameters& parameters) {
   return all_four(parameters.subcycles);
-}
-
-LimbTracks synthesize_limbs(const GaitParameters& parameters, const FilterBank<double>& bank,
-                            const std::vector<LimbPath>& paths, int frames, Eigen::Index scale,
-                            Continuity continuity) {
-  if (frames < 1) throw std::invalid_argument(fmt::format("{} frames are less than 1", frames));
-  const ControlPoints fine(bank, parameters.samples, parameters.scale);
-  const ControlPoints coarse(bank, parameters.samples, scale);
-  const bool is_coarser = scale < parameters.scale;
-  LimbTracks tracks{Eigen::VectorXd(frames), {}};
-  for (int i = 0; i < frames; ++i) tracks.times[i] = parameters.period * i / frames;
-  for (const LimbPath& path : paths) {
-    LimbTrack track{path.limb, {}};
-    for (int i = 0; i < frames; ++i) {
-      Contour outline = fine.draw(pose_at(path, static_cast<double>(i) / frames, continuity));
-      if (is_coarser) outline = coarse.draw(coarse.analyse(outline));
-      track.outlines.push_back(std::move(outline));
-    }
-    tracks.limbs.push_back(std::move(track));
-  }
-  return tracks;
 }
 
 }  // namespace wavecurve::gait

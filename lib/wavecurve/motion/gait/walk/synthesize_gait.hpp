@@ -1,15 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "wavecurve/curves/drawing.hpp"
-#include "wavecurve/filters/filter_bank.hpp"
-#include "wavecurve/motion/animation.hpp"
 #include "wavecurve/motion/gait/model/gait_parameters.hpp"
 #include "wavecurve/motion/gait/record/canine_gaits.hpp"
-#include "wavecurve/motion/gait/record/limb_tracks.hpp"
 
 namespace wavecurve::gait {
 
@@ -23,11 +18,5 @@ std::vector<LimbPath> gait_paths(const GaitParameters& parameters,
 /// The publication's cycle: subcycles A to D from two key frames, right limbs the left ones half a
 /// cycle on (section 4.2, Figures 9 and 12).
 std::vector<LimbPath> subcycle_paths(const GaitParameters& parameters);
-
-/// The fitted animal's own outlines, `frames` equidistant ones of one cycle (the one after the last
-/// is the first), from `scale` control points, at most the fitted number.
-LimbTracks synthesize_limbs(const GaitParameters& parameters, const FilterBank<double>& bank,
-                            const std::vector<LimbPath>& paths, int frames, Eigen::Index scale,
-                            Continuity continuity = Continuity::position);
 
 }  // namespace wavecurve::gait

@@ -1,13 +1,13 @@
-#include "wavecurve/dynamics/modal/matrix_exponential.hpp"
+#pragma once
 
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include <Eigen/Dense>
 
-namespace wavecurve::dynamics::plain {
+#include "wavecurve/dynamics/initial_value_problem.hpp"
 
-namespace {
+namespace wavecurve::dynamics::plain {
 
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -45,8 +45,10 @@ Matrix<Scalar> first_order_matrix(const InitialValueProblem& problem, Eigen::Ind
   return a;
 }
 
-}  // namespace
-
+/// The plain twin of solve_spectral: the exponential of the dense first-order system (3.15), as it
+/// should read, in the multiscale basis with M, C, K assembled, constant and harmonic forces as
+/// further unknowns. O(samples^3) for each time. Scalar double or long double. Throws as
+/// solve_spectral does.
 template <class Scalar>
 Trajectory solve_matrix_exponential(const InitialValueProblem& problem) {
   check(problem);
@@ -75,8 +77,5 @@ Trajectory solve_matrix_exponential(const InitialValueProblem& problem) {
   }
   return trajectory;
 }
-
-template Trajectory solve_matrix_exponential<double>(const InitialValueProblem&);
-template Trajectory solve_matrix_exponential<long double>(const InitialValueProblem&);
 
 }  // namespace wavecurve::dynamics::plain

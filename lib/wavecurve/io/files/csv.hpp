@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wavecurve::io {
+
+/// The fields of one line of a table (RFC 4180, no line break inside a field): what stands between
+/// quotes as it is, with quotes inside doubled, all else without blanks at either end. Throws
+/// std::invalid_argument for a quote that is not closed, and text behind one that is.
+std::vector<std::string> csv_fields(std::string_view line, char separator = ',');
+
+/// A text as a field of such a line: in quotes where it must be.
+std::string csv_field(std::string_view text);
+
+}  // namespace wavecurve::io

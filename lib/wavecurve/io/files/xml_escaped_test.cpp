@@ -1,0 +1,17 @@
+#include "wavecurve/io/files/xml_escaped.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wavecurve::io {
+namespace {
+
+TEST(XmlEscaped, TextStandsBetweenTagsAndInBothKindsOfQuotes) {
+  EXPECT_EQ(xml_escaped("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
+}
+
+TEST(XmlEscaped, OnlyWhatXmlForbidsIsReplaced) {
+  EXPECT_EQ(xml_escaped("a\x01\x7f\t\n\u03bc"), "a\xEF\xBF\xBD\xEF\xBF\xBD\t\n\u03bc");
+}
+
+}  // namespace
+}  // namespace wavecurve::io
