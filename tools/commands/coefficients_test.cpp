@@ -89,7 +89,7 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --derivatives 2,2", "needed is more than 2.0");
   expect_refusal("coefficients db4 --derivatives 1", "two whole numbers");
   expect_refusal("coefficients db4 --derivatives 1,x", "two whole numbers");
-  expect_refusal("coefficients db4 --derivatives 9,0", "must lie in 0 .. 8");
+  expect_refusal("coefficients db4 --derivatives 9,0", "must be from 0 to 8");
   expect_refusal("coefficients db4 --derivatives 0,1 --normalize first", "index 0 is zero");
   expect_refusal("coefficients db4 --normalize second", "--normalize");
 }

@@ -9,16 +9,14 @@
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve::certified {
 
 namespace {
 
 void require_sense(const DecimalsRequest& request) {
-  if (request.digits < 1) {
-    throw std::invalid_argument(std::to_string(request.digits) +
-                                " significant digits: must be at least 1");
-  }
+  check_at_least("number of significant digits", request.digits, 1);
   if (request.divide_by_first && (request.p + request.q) % 2 != 0) {
     throw std::invalid_argument("the coefficient of index 0 is zero for the odd sum " +
                                 std::to_string(request.p + request.q) +

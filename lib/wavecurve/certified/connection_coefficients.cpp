@@ -7,6 +7,7 @@
 #include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
+#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
 
 namespace wavecurve::certified {
@@ -17,10 +18,7 @@ constexpr int highest_derivative = 8;
 
 void require_orders(int p, int q) {
   for (const int order : {p, q}) {
-    if (order < 0 || order > highest_derivative) {
-      throw std::invalid_argument("derivative order " + std::to_string(order) +
-                                  ": must lie in 0 .. " + std::to_string(highest_derivative));
-    }
+    check_between("derivative order", order, 0, highest_derivative);
   }
 }
 
