@@ -87,12 +87,14 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   return chart;
 }
 
-std::string count_text(const CheckedTable& table) {
-  std::string text;
+Finding count_finding(const CheckedTable& table) {
+  std::string words;
+  std::vector<ClaimValue> values;
   for (const auto& [verdict, count] : table.counts()) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(verdict));
+    words += fmt::format("{}{{}} {}", words.empty() ? "" : ", ", to_string(verdict));
+    values.push_back(counted(std::string(to_string(verdict)), count));
   }
-  return text;
+  return {words, values};
 }
 
 }  // namespace wavecurve::verification
