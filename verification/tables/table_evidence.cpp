@@ -87,6 +87,18 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   return chart;
 }
 
+ClaimVerdict verdict_of(const CheckedTable& table) {
+  const auto counts = table.counts();
+  const auto has = [&](PrintVerdict verdict) { return counts.contains(verdict); };
+  if (has(PrintVerdict::discrepant) || has(PrintVerdict::agrees_to_digits)) {
+    return ClaimVerdict::discrepant;
+  }
+  if (has(PrintVerdict::undecided)) return ClaimVerdict::undecided;
+  if (has(PrintVerdict::published_route)) return ClaimVerdict::published_route;
+  if (has(PrintVerdict::misprint)) return ClaimVerdict::discrepant;
+  return has(PrintVerdict::form) ? ClaimVerdict::form : ClaimVerdict::certified;
+}
+
 Finding count_finding(const CheckedTable& table) {
   std::string words;
   std::vector<ClaimValue> values;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* daubechies = "db4";
 constexpr const char* centred = "coif2";
-constexpr Eigen::Index finest = 1024;
+constexpr Eigen::Index most_samples = 1024;
 
 /// Relative to the diagonal of the bounding box.
 struct Errors {
@@ -76,12 +76,12 @@ Outcome evaluate() {
   for (const char* name : {"db2", "db4", "db10", "sym4", "sym8", "coif1", "coif2", "bspline2.2",
                            "bspline3.3", "bspline4.4", "cdf9.7"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
-    for (const Eigen::Index samples : {Eigen::Index{64}, Eigen::Index{256}, finest}) {
+    for (const Eigen::Index samples : {Eigen::Index{64}, Eigen::Index{256}, most_samples}) {
       const Contour digit = example_contour("three.svg", samples);
       const Errors errors = errors_of(bank, digit);
       if (bank.name == daubechies && samples == 64) coarse = errors;
-      if (bank.name == daubechies && samples == finest) fine = errors;
-      if (bank.name == centred && samples == finest) coiflet = errors;
+      if (bank.name == daubechies && samples == most_samples) fine = errors;
+      if (bank.name == centred && samples == most_samples) coiflet = errors;
       table.rows.push_back(
           {bank.name, std::to_string(samples), fmt::format("{:.4f}", 100 * errors.same_parameter),
            four_decimals(centre_of_phi(bank)), fmt::format("{:.5f}", 100 * errors.shifted),
@@ -92,7 +92,7 @@ Outcome evaluate() {
   outcome.verdict = ClaimVerdict::depends_on_definition;
   outcome.finding = {
       "D8, {} samples: off by {} of the diagonal at equal parameters, by {} as an outline",
-      {counted("samples", finest),
+      {counted("samples", most_samples),
        to_digits("RMS distance at equal parameters", 100 * fine.same_parameter, 2, "%"),
        to_digits("distance as an outline", 100 * fine.outline, 1, "%")}};
   outcome.summary = fmt::format(

@@ -55,13 +55,6 @@ int count_of(const CheckedTable& table, PrintVerdict verdict) {
   return found == counts.end() ? 0 : found->second;
 }
 
-bool every_entry_is_explained(const CheckedTable& table) {
-  return std::all_of(table.rows.begin(), table.rows.end(), [](const CheckedRow& row) {
-    return row.verdict == PrintVerdict::certified || row.verdict == PrintVerdict::form ||
-           row.verdict == PrintVerdict::misprint || row.verdict == PrintVerdict::published_route;
-  });
-}
-
 Table cause_table(const CheckedTable& table) {
   const auto sum = sum_of_odd_alpha(table);
   const Eigen::VectorXd alpha = printed_alpha(table);
@@ -82,17 +75,14 @@ Table cause_table(const CheckedTable& table) {
 Outcome evaluate() {
   const CheckedTable table = check_table(
       read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv"));
-  const int by_route = count_of(table, PrintVerdict::published_route);
   Outcome outcome;
-  outcome.verdict = table.is_right() ? ClaimVerdict::certified
-                    : by_route > 0 && every_entry_is_explained(table)
-                        ? ClaimVerdict::published_route
-                        : ClaimVerdict::discrepant;
+  outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);
   outcome.summary = fmt::format(
       "{} entries are not the true values but those of a named computation, {} are misprints of "
       "one edit, {} have another number of decimals than their column.",
-      by_route, count_of(table, PrintVerdict::misprint), count_of(table, PrintVerdict::form));
+      count_of(table, PrintVerdict::published_route), count_of(table, PrintVerdict::misprint),
+      count_of(table, PrintVerdict::form));
   const Table cause = cause_table(table);
   outcome.evidence = {
       row_table(table),
