@@ -16,6 +16,7 @@ using Figures = std::map<std::string, std::string>;
 constexpr const char* report_title = "Verification of the published numbers and claims";
 
 /// The symbol is decoration, the word is what counts: a screen reader is spared the symbol.
+template <class Verdict>
 std::string badge(Verdict verdict) {
   const VerdictStyle style = style_of(verdict);
   return "<span class=\"verdict " + std::string(style.tone) + "\"><span aria-hidden=\"true\">" +
@@ -53,7 +54,7 @@ std::string summary_row(const ClaimResult& result) {
   return "<tr role=\"row\">\n<th role=\"rowheader\" scope=\"row\"><a href=\"#claim-" +
          escape(claim.id) + "\">" + formula_html(claim.title) + "</a><span class=\"where\">" +
          escape(claim.location) + "</span></th>\n" + cell("Printed", formula_html(claim.printed)) +
-         cell("Own value", formula_html(outcome.own_value)) +
+         cell("Own value", formula_html(outcome.finding.sentence)) +
          cell("Verdict", badge(outcome.verdict)) + "</tr>\n";
 }
 
@@ -85,7 +86,7 @@ std::string claim_section(const ClaimResult& result, const Figures& figures) {
                      id + "\">\n<h3 id=\"title-" + id + "\">" + formula_html(claim.title) +
                      "</h3>\n<p class=\"where\">" + escape(claim.location) + " · <code>" + id +
                      "</code></p>\n<dl>\n" + fact("Printed", formula_html(claim.printed)) +
-                     fact("Own value", formula_html(outcome.own_value)) +
+                     fact("Own value", formula_html(outcome.finding.sentence)) +
                      fact("Verdict", badge(outcome.verdict) + " " + formula_html(outcome.summary)) +
                      "</dl>\n";
   int count = 0;
@@ -95,15 +96,22 @@ std::string claim_section(const ClaimResult& result, const Figures& figures) {
   return html + "<p class=\"back\"><a href=\"#summary\">Back to the summary</a></p>\n</section>\n";
 }
 
-std::string verdict_list() {
-  std::string html =
-      "<section id=\"verdicts\" aria-labelledby=\"verdicts-title\">\n"
-      "<h2 id=\"verdicts-title\">What the verdicts mean</h2>\n<dl class=\"meanings\">\n";
-  for (int i = 0; i <= static_cast<int>(Verdict::stand_in); ++i) {
+/// Every verdict of one kind, up to the last one.
+template <class Verdict>
+std::string meanings(const std::string& title, Verdict last) {
+  std::string html = "<h3>" + title + "</h3>\n<dl class=\"meanings\">\n";
+  for (int i = 0; i <= static_cast<int>(last); ++i) {
     const auto verdict = static_cast<Verdict>(i);
     html += fact(badge(verdict), escape(style_of(verdict).meaning));
   }
-  return html + "</dl>\n</section>\n";
+  return html + "</dl>\n";
+}
+
+std::string verdict_list() {
+  return "<section id=\"verdicts\" aria-labelledby=\"verdicts-title\">\n"
+         "<h2 id=\"verdicts-title\">What the verdicts mean</h2>\n" +
+         meanings("A table, figure or statement", ClaimVerdict::stand_in) +
+         meanings("A printed number", PrintVerdict::undecided) + "</section>\n";
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/suite/claim_value_json.hpp"
+#include "verification/suite/reference.hpp"
+
 namespace wavecurve::reports {
 
 namespace {
@@ -38,12 +41,15 @@ Json json_of(const ClaimResult& result) {
   Json evidence = Json::array();
   for (const Evidence& item : outcome.evidence)
     evidence.push_back(std::visit(EvidenceToJson{}, item));
+  Json values = Json::array();
+  for (const ClaimValue& value : outcome.finding.values) values.push_back(to_json(value));
   return {{"id", claim.id},
           {"title", claim.title},
           {"location", claim.location},
           {"printed", claim.printed},
           {"verdict", to_string(outcome.verdict)},
-          {"own_value", outcome.own_value},
+          {"finding", outcome.finding.sentence},
+          {"values", values},
           {"summary", outcome.summary},
           {"evidence", evidence}};
 }
@@ -52,6 +58,7 @@ Json json_of(const ClaimResult& result) {
 
 std::string to_json(const Report& report) {
   Json json;
+  json["schema"] = schema_version;
   json["publication"] = {{"title", report.publication.title},
                          {"authors", report.publication.authors},
                          {"year", report.publication.year},

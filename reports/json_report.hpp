@@ -6,7 +6,8 @@
 
 namespace wavecurve::reports {
 
-/// report.json: publication, date, version, counts by verdict, and each claim with its evidence.
+/// report.json: publication, date, version, counts by verdict, and each claim with its values, words
+/// and evidence. docs/report-json.md tells every field.
 std::string to_json(const Report& report);
 
 }  // namespace wavecurve::reports

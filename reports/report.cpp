@@ -26,9 +26,9 @@ std::time_t parse_epoch(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::pair<verification::Verdict, int>> count_verdicts(
+std::vector<std::pair<verification::ClaimVerdict, int>> count_verdicts(
     const std::vector<verification::ClaimResult>& results) {
-  std::map<verification::Verdict, int> counts;
+  std::map<verification::ClaimVerdict, int> counts;
   for (const auto& result : results) ++counts[result.outcome.verdict];
   return {counts.begin(), counts.end()};
 }

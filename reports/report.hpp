@@ -18,7 +18,7 @@ struct Report {
 };
 
 /// How many claims have each verdict, in the order of the enumeration, without the zeros.
-std::vector<std::pair<verification::Verdict, int>> count_verdicts(
+std::vector<std::pair<verification::ClaimVerdict, int>> count_verdicts(
     const std::vector<verification::ClaimResult>& results);
 
 /// Now in UTC as 2026-01-31T12:00:00Z, or the time of SOURCE_DATE_EPOCH where that is set.

@@ -59,7 +59,7 @@ std::string terminal_table(const std::vector<ClaimResult>& results, std::size_t 
   std::string table;
   for (const auto& [claim, outcome] : results) {
     table += cut(pad(claim.id, id_width) + "  " + pad(to_string(outcome.verdict), verdict_width) +
-                     "  " + one_line(outcome.own_value),
+                     "  " + one_line(outcome.finding.sentence),
                  width) +
              "\n";
   }

@@ -2,6 +2,7 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -9,17 +10,17 @@ namespace wavecurve::reports {
 namespace {
 
 using verification::ClaimResult;
-using verification::Verdict;
+using verification::ClaimVerdict;
 
-ClaimResult result(std::string id, Verdict verdict, std::string own_value) {
-  return {{std::move(id), "", "", "", {}}, {verdict, std::move(own_value), "", {}}};
+ClaimResult result(std::string id, ClaimVerdict verdict, std::string_view sentence) {
+  return {{std::move(id), "", "", "", {}}, {verdict, {sentence, {}}, "", {}}};
 }
 
 TEST(TerminalTable, OneAlignedLineAClaimThenTheCounts) {
-  const std::string table = terminal_table(
-      {result("table-1", Verdict::certified, "all"), result("t", Verdict::does_not_hold, "46.3 %"),
-       result("u", Verdict::certified, "x")},
-      0);
+  const std::string table = terminal_table({result("table-1", ClaimVerdict::certified, "all"),
+                                            result("t", ClaimVerdict::does_not_hold, "46.3 %"),
+                                            result("u", ClaimVerdict::certified, "x")},
+                                           0);
   EXPECT_EQ(table,
             "table-1  certified      all\n"
             "t        does-not-hold  46.3 %\n"
@@ -30,12 +31,13 @@ TEST(TerminalTable, OneAlignedLineAClaimThenTheCounts) {
 
 TEST(TerminalTable, CutsLinesToTheWidthInCharactersNotBytes) {
   const std::string table = terminal_table(
-      {result("a", Verdict::holds, "μμμμμμμμμμμμ"), result("b", Verdict::holds, "μ")}, 15);
+      {result("a", ClaimVerdict::holds, "μμμμμμμμμμμμ"), result("b", ClaimVerdict::holds, "μ")},
+      15);
   EXPECT_TRUE(table.starts_with("a  holds  μμμμ…\nb  holds  μ\n")) << table;
 }
 
-TEST(TerminalTable, ANewlineOrAnEscapeInAValueDoesNotReachTheTerminal) {
-  const std::string table = terminal_table({result("a", Verdict::holds, "1\n2\x1b[31m")}, 0);
+TEST(TerminalTable, ANewlineOrAnEscapeInASentenceDoesNotReachTheTerminal) {
+  const std::string table = terminal_table({result("a", ClaimVerdict::holds, "1\n2\x1b[31m")}, 0);
   EXPECT_EQ(table, "a  holds  1 2 [31m\n\n1 claim: 1 holds\n");
 }
 

@@ -4,37 +4,59 @@
 
 namespace wavecurve::reports {
 
-using verification::Verdict;
+using verification::ClaimVerdict;
+using verification::PrintVerdict;
 
-VerdictStyle style_of(Verdict verdict) {
+VerdictStyle style_of(PrintVerdict verdict) {
   switch (verdict) {
-    case Verdict::certified:
+    case PrintVerdict::certified:
       return {"✓", "good", "Proved: the printed decimal is the correctly rounded true value."};
-    case Verdict::form:
+    case PrintVerdict::form:
       return {"=", "good", "The right value, printed with more or fewer decimals than its column."};
-    case Verdict::misprint:
+    case PrintVerdict::misprint:
       return {"≠", "partial", "One edit of the print turns it into the certified rounding."};
-    case Verdict::published_route:
+    case PrintVerdict::published_route:
       return {"→", "partial",
               "A named computation yields the printed digits; the true value differs."};
-    case Verdict::agrees_to_digits:
+    case PrintVerdict::agrees_to_digits:
       return {"≈", "partial", "At least the first three significant digits are right."};
-    case Verdict::discrepant:
+    case PrintVerdict::discrepant:
       return {"✗", "bad", "Fewer than three significant digits are right."};
-    case Verdict::undecided:
+    case PrintVerdict::undecided:
       return {"?", "open",
-              "The enclosure straddles a rounding boundary at the highest precision tried, or the "
-              "computation failed; the section says which."};
-    case Verdict::holds:
+              "The enclosure straddles a rounding boundary at the highest precision tried."};
+  }
+  throw std::invalid_argument("no style for this verdict of a printed number");
+}
+
+VerdictStyle style_of(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::certified:
+      return {"✓", "good",
+              "Proved: every number of the table is the correctly rounded true value."};
+    case ClaimVerdict::form:
+      return {"=", "good",
+              "Every number of the table is right, some with more or fewer decimals than their "
+              "column."};
+    case ClaimVerdict::published_route:
+      return {"→", "partial",
+              "Every number of the table is explained, some by a named computation that yields "
+              "their digits; their true values differ."};
+    case ClaimVerdict::discrepant:
+      return {"✗", "bad", "Some number of the table is neither right nor explained."};
+    case ClaimVerdict::undecided:
+      return {"?", "open",
+              "The figures leave it open, or the computation failed; the section says which."};
+    case ClaimVerdict::holds:
       return {"✓", "good", "The claim holds."};
-    case Verdict::depends_on_definition:
+    case ClaimVerdict::depends_on_definition:
       return {"◐", "partial", "True under one reading and not under another; each has its figure."};
-    case Verdict::does_not_hold:
+    case ClaimVerdict::does_not_hold:
       return {"✗", "bad", "The claim does not hold as printed."};
-    case Verdict::stand_in:
+    case ClaimVerdict::stand_in:
       return {"◇", "open", "The source data are lost; shown on other data, which are named."};
   }
-  throw std::invalid_argument("no style for this verdict");
+  throw std::invalid_argument("no style for this verdict of a claim");
 }
 
 }  // namespace wavecurve::reports

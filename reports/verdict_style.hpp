@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-#include "verification/suite/verdict.hpp"
+#include "verification/suite/claim_verdict.hpp"
+#include "verification/tables/print_verdict.hpp"
 
 namespace wavecurve::reports {
 
@@ -13,6 +14,7 @@ struct VerdictStyle {
   std::string_view meaning;  ///< for the list of what the verdicts mean
 };
 
-VerdictStyle style_of(verification::Verdict verdict);
+VerdictStyle style_of(verification::ClaimVerdict verdict);
+VerdictStyle style_of(verification::PrintVerdict verdict);
 
 }  // namespace wavecurve::reports

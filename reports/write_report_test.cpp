@@ -38,16 +38,16 @@ Report sample_report() {
   Report report{{}, "2026-01-31T12:00:00Z", "1.2.3", {}};
   report.results.push_back(
       {first,
-       {Verdict::certified,
-        hostile,
+       {ClaimVerdict::certified,
+        {hostile, {counted("certified", 24)}},
         "all & sundry",
         {Paragraph{hostile}, table_of("Short", 2), table_of("Long", 40),
          Chart{"first-chart", table_of("Squares", 3), "plot data using 1:2 with lines"},
          Picture{"picture", svg, hostile, table_of("A picture", 2)}}}});
   report.results.push_back(
       {second,
-       {Verdict::does_not_hold,
-        "16 %",
+       {ClaimVerdict::does_not_hold,
+        {"{}", {to_decimals(hostile, 16, 0, "%")}},
         "",
         {Chart{"second-chart", table_of("Cubes", 3), "plot data using 1:2 with points"}}}});
   return report;
@@ -127,7 +127,7 @@ TEST_F(WriteReport, JsonHoldsEveryClaimWithItsEvidence) {
 
 TEST_F(WriteReport, JsonSurvivesBytesThatAreNoText) {
   Report report = sample_report();
-  report.results[0].outcome.own_value = "\xff\xfe";
+  report.results[0].outcome.finding.sentence = "\xff\xfe";
   write_report(report, directory);
   EXPECT_NO_THROW(json());
 }
@@ -206,7 +206,7 @@ TEST_F(WriteReport, RefusesFiguresWithOneIdOrAnIdThatIsAPath) {
   Report report = sample_report();
   report.results.push_back(report.results.front());
   EXPECT_THROW(write_report(report, directory), std::logic_error);
-  report.results = {{{}, {Verdict::holds, "", "", {Picture{"../up", "<svg></svg>", "", {}}}}}};
+  report.results = {{{}, {ClaimVerdict::holds, {}, "", {Picture{"../up", "<svg></svg>", "", {}}}}}};
   EXPECT_THROW(write_report(report, directory), std::logic_error);
 }
 

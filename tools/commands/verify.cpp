@@ -82,7 +82,8 @@ void print_changes(const std::vector<Change>& changes, const fs::path& reference
              changes.size() == 1 ? "1 change" : fmt::format("{} changes", changes.size()),
              reference.string());
   for (const Change& change : changes) {
-    fmt::print("  {}: {} was \"{}\", is \"{}\"\n", change.id, change.field, change.was, change.is);
+    fmt::print("  {}: {}: blessed {}, own {}\n", change.id, change.what, change.blessed,
+               change.own);
   }
 }
 

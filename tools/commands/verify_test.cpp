@@ -55,8 +55,49 @@ TEST_F(VerifyCommand, BlessesThenAgreesThenNamesWhatChanged) {
   io::write_file(reference, blessed.dump());
   const ProgramRun changed = verify_into_report("--only erratum-2-5 erratum-3-16");
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_TRUE(has(changed.out, "erratum-2-5: verdict was \"holds\", is \"does-not-hold\""));
+  EXPECT_TRUE(has(changed.out, "  erratum-2-5: verdict: blessed holds, own does-not-hold\n"));
   EXPECT_FALSE(has(changed.out, "erratum-3-16: "));
+}
+
+TEST_F(VerifyCommand, NamesTheClaimTheValueAndBothNumbersOfEachValueThatDiffers) {
+  ASSERT_EQ(verify_into_report("--only erratum-2-5 --bless").exit_code, 0);
+  const auto blessed = nlohmann::json::parse(io::read_file(reference));
+  const auto differs_with = [&](const nlohmann::json& values) {
+    auto changed = blessed;
+    changed["claims"][0]["values"] = values;
+    io::write_file(reference, changed.dump());
+    const ProgramRun result = verify_into_report("--only erratum-2-5");
+    EXPECT_EQ(result.exit_code, 1) << result.out;
+    const auto at = result.out.find("  erratum-2-5: ");
+    return at == std::string::npos ? result.out : result.out.substr(at);
+  };
+  const auto values = blessed["claims"][0]["values"];
+  ASSERT_EQ(values.size(), 2u);
+
+  auto other = values;
+  other[0]["number"] = 257;
+  EXPECT_EQ(differs_with(other),
+            "  erratum-2-5: value functions from M_f on: blessed 257 (tolerance 0), own 256\n");
+  EXPECT_EQ(differs_with(nlohmann::json::array({values[0]})),
+            "  erratum-2-5: value dimension of their space: blessed no such value, own 128\n");
+  auto more = values;
+  more.push_back(values[0]);
+  more[2]["name"] = "rows";
+  EXPECT_EQ(differs_with(more), "  erratum-2-5: value rows: blessed 256, own no such value\n");
+}
+
+TEST_F(VerifyCommand, WordsAreFreeAndAToleranceIsMinded) {
+  ASSERT_EQ(verify_into_report("--only erratum-3-15 --bless").exit_code, 0);
+  auto blessed = nlohmann::json::parse(io::read_file(reference));
+  auto& value = blessed["claims"][0]["values"][0];
+  const double number = value["number"].get<double>();
+  value["tolerance"] = 2;
+  value["reason"] = "Other words.";
+  for (const auto& [distance, exit_code] : {std::pair{2, 0}, {-2, 0}, {3, 1}}) {
+    value["number"] = number + distance;
+    io::write_file(reference, blessed.dump());
+    EXPECT_EQ(verify_into_report("--only erratum-3-15").exit_code, exit_code) << distance;
+  }
 }
 
 TEST_F(VerifyCommand, TwoRunsGiveTheSameBytesApartFromTheDate) {
@@ -80,6 +121,15 @@ TEST_F(VerifyCommand, RefusesAnUnknownClaimInOneLine) {
 TEST_F(VerifyCommand, RefusesABrokenReference) {
   io::write_file(reference, "not json");
   EXPECT_EQ(verify_into_report("--only erratum-2-5").exit_code, 2);
+}
+
+TEST_F(VerifyCommand, RefusesAReferenceOfAnotherVersionInOneLine) {
+  io::write_file(reference, "{\"schema\": 3, \"claims\": []}");
+  const ProgramRun newer = verify_into_report("--only erratum-2-5");
+  EXPECT_EQ(newer.exit_code, 2);
+  EXPECT_TRUE(has(newer.err, "verdicts.json: schema version 3, but")) << newer.err;
+  EXPECT_EQ(newer.err.find('\n'), newer.err.size() - 1);
+  EXPECT_EQ(newer.out, "");
 }
 
 TEST_F(VerifyCommand, SaysWhereTheReportCannotBeWritten) {

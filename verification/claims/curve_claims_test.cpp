@@ -17,7 +17,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST(Figure2, StandsInAndShowsTwoGroupsOfFive) {
   const Outcome outcome = outcome_of("figure-2");
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in) << outcome.summary;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in) << outcome.summary;
   const Picture picture = std::get<Picture>(outcome.evidence.at(0));
   EXPECT_EQ(count(picture.svg, "stroke=\"black\""), 10u);
   for (const char* label : {"(0) 1024", "(3) 128", "(4) 64", "(5) 32", "(6) 16"}) {
@@ -40,7 +40,7 @@ TEST(Figure2, HasErrorsThatGrow) {
 
 TEST(SamplesAsCoefficients, DependsOnTheParameter) {
   const Outcome outcome = outcome_of("samples-as-coefficients");
-  EXPECT_EQ(outcome.verdict, Verdict::depends_on_definition);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::depends_on_definition);
   const Table table = std::get<Table>(outcome.evidence.at(0));
   expect_full(table);
   for (const auto& row : table.rows) {

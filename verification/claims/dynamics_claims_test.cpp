@@ -17,7 +17,7 @@ double number(const Table& table, std::size_t row, std::size_t column) {
 
 TEST(DecouplingClaim, DoesNotHoldWithoutStrongStiffnessDamping) {
   const Outcome outcome = outcome_of("decoupling");
-  EXPECT_EQ(outcome.verdict, Verdict::does_not_hold) << outcome.own_value;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::does_not_hold) << outcome.finding.sentence;
   const Table map = std::get<Chart>(outcome.evidence.at(1)).data;
   expect_full(map);
   // Undamped, N = 64: 1.3 to 1.9 for simple shapes, known from elsewhere.
@@ -52,7 +52,7 @@ TEST(DecouplingClaim, ErrorsGrowFromNothing) {
 
 TEST(SchulzClaim, Holds) {
   const Outcome outcome = outcome_of("schulz");
-  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.own_value;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::holds) << outcome.finding.sentence;
   expect_full(std::get<Chart>(outcome.evidence.at(0)).data);
   const Table table = std::get<Table>(outcome.evidence.at(1));
   expect_full(table);
@@ -65,7 +65,7 @@ TEST(SchulzClaim, Holds) {
 
 TEST(Figure6, IsRestoredOnlyIfDampedAndNotMoved) {
   const Outcome outcome = outcome_of("figure-6");
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in);
   const Picture picture = std::get<Picture>(outcome.evidence.at(0));
   expect_full(picture.data);
   expect_full(std::get<Chart>(outcome.evidence.at(1)).data);
@@ -76,7 +76,7 @@ TEST(Figure6, IsRestoredOnlyIfDampedAndNotMoved) {
 
 TEST(Figure7, ErrorsFallAndCostsGrowWithTheControlPoints) {
   const Outcome outcome = outcome_of("figure-7");
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in);
   const Table table = std::get<Picture>(outcome.evidence.at(0)).data;
   expect_full(table);
   ASSERT_EQ(table.rows.size(), 5u);
@@ -90,7 +90,7 @@ TEST(Figure7, ErrorsFallAndCostsGrowWithTheControlPoints) {
 
 TEST(EnergyClaim, HoldsForTheExactMotionAndNamesTheDriftOfAllOthers) {
   const Outcome outcome = outcome_of("energy");
-  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.own_value;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::holds) << outcome.finding.sentence;
   const Table curves = std::get<Chart>(outcome.evidence.at(0)).data;
   expect_full(curves);
   double largest = 0;
@@ -109,7 +109,7 @@ TEST(EnergyClaim, HoldsForTheExactMotionAndNamesTheDriftOfAllOthers) {
 
 TEST(IntegrationOrdersClaim, HoldsForEveryMethod) {
   const Outcome outcome = outcome_of("integration-orders");
-  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.own_value;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::holds) << outcome.finding.sentence;
   expect_full(std::get<Chart>(outcome.evidence.at(0)).data);
   const Table table = std::get<Table>(outcome.evidence.at(1));
   expect_full(table);

@@ -27,7 +27,7 @@ class GaitFigure : public testing::TestWithParam<std::string> {};
 
 TEST_P(GaitFigure, StandsInNamesItsDataAndHasFullTables) {
   const Outcome outcome = outcome_of(GetParam());
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in);
   EXPECT_NE(outcome.summary.find("dog"), std::string::npos);
   for (const Evidence& evidence : outcome.evidence) {
     if (const auto* picture = std::get_if<Picture>(&evidence)) expect_full(picture->data);

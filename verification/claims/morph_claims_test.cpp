@@ -11,7 +11,7 @@ namespace {
 
 TEST(Figure4, ShowsTwelveFramesOfAllLayers) {
   const Outcome outcome = outcome_of("figure-4");
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in);
   const Picture picture = std::get<Picture>(outcome.evidence.at(0));
   EXPECT_NE(picture.svg.find("12 frames"), std::string::npos);
   EXPECT_LT(picture.svg.size(), 1000000u);  // a page holds it
@@ -20,7 +20,7 @@ TEST(Figure4, ShowsTwelveFramesOfAllLayers) {
 
 TEST(Figure5, SetsPhysicalMotionsBesideTheLinearOne) {
   const Outcome outcome = outcome_of("figure-5");
-  EXPECT_EQ(outcome.verdict, Verdict::stand_in);
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::stand_in);
   const Picture picture = std::get<Picture>(outcome.evidence.at(0));
   EXPECT_NE(picture.svg.find("12 frames"), std::string::npos);
   EXPECT_LT(picture.svg.size(), 2000000u);
@@ -34,7 +34,7 @@ TEST(Figure5, SetsPhysicalMotionsBesideTheLinearOne) {
 
 TEST(CrossingsClaim, DoesNotHoldWithoutCondition) {
   const Outcome outcome = outcome_of("crossings");
-  EXPECT_EQ(outcome.verdict, Verdict::does_not_hold) << outcome.own_value;
+  EXPECT_EQ(outcome.verdict, ClaimVerdict::does_not_hold) << outcome.finding.sentence;
   const Table table = std::get<Table>(outcome.evidence.at(1));
   expect_full(table);
   // Faces never cross; the spiral that becomes a star does, but not with four control points.

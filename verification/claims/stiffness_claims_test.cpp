@@ -34,7 +34,7 @@ class StiffnessClaims : public testing::TestWithParam<const char*> {};
 
 TEST_P(StiffnessClaims, HaveFullTablesAndTheSameOutcomeTwice) {
   const Outcome outcome = outcome_of(GetParam()), again = outcome_of(GetParam());
-  EXPECT_EQ(outcome.own_value, again.own_value);
+  EXPECT_EQ(outcome.finding.sentence, again.finding.sentence);
   EXPECT_FALSE(tables_of(outcome).empty());
   for (const Table& table : tables_of(outcome)) {
     EXPECT_FALSE(table.rows.empty()) << table.caption;
@@ -52,11 +52,11 @@ INSTANTIATE_TEST_SUITE_P(All, StiffnessClaims,
                          });
 
 TEST(StiffnessClaimsTest, VerdictsFollowFromTheFigures) {
-  EXPECT_EQ(outcome_of("figure-3").verdict, Verdict::holds);
-  EXPECT_EQ(outcome_of("off-diagonal-energy").verdict, Verdict::depends_on_definition);
-  EXPECT_EQ(outcome_of("sparse").verdict, Verdict::depends_on_definition);
-  EXPECT_EQ(outcome_of("diagonally-dominant").verdict, Verdict::does_not_hold);
-  EXPECT_EQ(outcome_of("mass-matrix").verdict, Verdict::depends_on_definition);
+  EXPECT_EQ(outcome_of("figure-3").verdict, ClaimVerdict::holds);
+  EXPECT_EQ(outcome_of("off-diagonal-energy").verdict, ClaimVerdict::depends_on_definition);
+  EXPECT_EQ(outcome_of("sparse").verdict, ClaimVerdict::depends_on_definition);
+  EXPECT_EQ(outcome_of("diagonally-dominant").verdict, ClaimVerdict::does_not_hold);
+  EXPECT_EQ(outcome_of("mass-matrix").verdict, ClaimVerdict::depends_on_definition);
 }
 
 TEST(StiffnessClaimsTest, OffDiagonalEnergyShowsTheKnownShares) {
@@ -78,7 +78,7 @@ TEST(StiffnessClaimsTest, SparseAndDominantShowTheKnownFigures) {
   const Table shares = tables_of(outcome_of("sparse")).at(0);
   EXPECT_NEAR(std::stod(cell(shares, {"db4", "1"}, 4)), 41, 0.5);
   EXPECT_NEAR(std::stod(cell(shares, {"coif2", "2"}, 4)), 83, 0.5);
-  EXPECT_NE(outcome_of("diagonally-dominant").own_value.find("32 of 64"), std::string::npos);
+  EXPECT_NE(outcome_of("diagonally-dominant").finding.sentence.find("32 of 64"), std::string::npos);
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "verification/suite/verdict.hpp"
+#include "verification/suite/claim_value.hpp"
+#include "verification/suite/claim_verdict.hpp"
 
 namespace wavecurve::verification {
 
@@ -42,9 +43,9 @@ using Evidence = std::variant<Paragraph, Table, Chart, Picture>;
 
 /// The result of evaluating a claim. Everything in it is computed, and the same in every run.
 struct Outcome {
-  Verdict verdict = Verdict::undecided;
-  std::string own_value;  ///< our number or finding, one line
-  std::string summary;    ///< why the verdict is what it is, one or two sentences
+  ClaimVerdict verdict = ClaimVerdict::undecided;
+  Finding finding;      ///< our numbers, and a sentence made from them
+  std::string summary;  ///< why the verdict is what it is, one or two sentences
   std::vector<Evidence> evidence;
 };
 

@@ -41,13 +41,13 @@ TEST(Claim, TheSuiteIsOrderedUniqueAndComplete) {
       claims(), [](const Claim& a, const Claim& b) { return precedes(a.id, b.id); }));
 }
 
-TEST(Verdict, EachHasItsOwnName) {
+TEST(ClaimVerdict, EachHasItsOwnName) {
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Verdict::stand_in); ++i) {
-    EXPECT_TRUE(names.insert(to_string(static_cast<Verdict>(i))).second) << i;
+  for (int i = 0; i <= static_cast<int>(ClaimVerdict::stand_in); ++i) {
+    EXPECT_TRUE(names.insert(to_string(static_cast<ClaimVerdict>(i))).second) << i;
   }
-  EXPECT_EQ(to_string(Verdict::does_not_hold), "does-not-hold");
-  EXPECT_THROW(to_string(static_cast<Verdict>(99)), std::invalid_argument);
+  EXPECT_EQ(to_string(ClaimVerdict::does_not_hold), "does-not-hold");
+  EXPECT_THROW(to_string(static_cast<ClaimVerdict>(99)), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,30 +9,36 @@
 
 namespace wavecurve::verification {
 
-/// What a claim's verdict and value were when a person last agreed to them.
+/// The schema of the blessed reference and of report.json (docs/report-json.md). Version 1 held a sentence in the place of values.
+constexpr int schema_version = 2;
+
+/// What a claim's verdict and values were when a person last agreed to them. Words are free: what
+/// the claim says about them is not kept.
 struct BlessedClaim {
-  std::string id, verdict, own_value;
+  std::string id, verdict;
+  std::vector<ClaimValue> values;
   bool operator==(const BlessedClaim&) const = default;
 };
 
 /// One difference between the blessed reference and a run.
 struct Change {
   std::string id;
-  std::string field;  ///< "verdict", "own_value", or "claim" for one that is new or gone
-  std::string was, is;
+  std::string what;  ///< "verdict", "value NAME", or "claim" for one that is new or gone
+  std::string blessed, own;
   bool operator==(const Change&) const = default;
 };
 
 /// The reference file's claims; none if there is no such file. Throws std::invalid_argument naming
-/// the file if it is not of the form that write_reference writes.
+/// the file if it is not of the form that write_reference writes, or of another schema version.
 std::vector<BlessedClaim> read_reference(const std::filesystem::path& path);
 
 /// Blesses the results. With `keep_others`, claims that were not run keep their entries.
 void write_reference(const std::filesystem::path& path, std::span<const ClaimResult> results,
                      bool keep_others);
 
-/// The changes in the order of the report. With `ignore_missing`, a blessed claim that was not run
-/// is no change.
+/// The changes in the order of the report: verdicts, and values that do not agree (claim_value.hpp),
+/// are missing or are additional. With `ignore_missing`, a blessed claim that was not run is no
+/// change.
 std::vector<Change> compare(std::span<const BlessedClaim> reference,
                             std::span<const ClaimResult> results, bool ignore_missing);
 

@@ -1,7 +1,12 @@
 #include "verification/suite/run_claims.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "verification/suite/on_all_cores.hpp"
 
@@ -11,15 +16,31 @@ namespace {
 
 Outcome failed(const std::string& reason) {
   Outcome outcome;
-  outcome.verdict = Verdict::undecided;
-  outcome.own_value = "none: the computation failed";
+  outcome.verdict = ClaimVerdict::undecided;
+  outcome.finding = {"none: the computation failed", {}};
   outcome.summary = "The computation failed: " + reason;
   return outcome;
 }
 
+/// Values are told apart by their names, and JSON knows finite numbers only.
+void require_sound(const std::vector<ClaimValue>& values) {
+  std::set<std::string_view> names;
+  for (const ClaimValue& value : values) {
+    if (!std::isfinite(value.number)) {
+      throw std::domain_error("the value \"" + value.name + "\" is " + value.text() +
+                              ", not a finite number");
+    }
+    if (!names.insert(value.name).second) {
+      throw std::invalid_argument("two values have the name \"" + value.name + "\"");
+    }
+  }
+}
+
 Outcome evaluate(const Claim& claim) {
   try {
-    return claim.evaluate();
+    Outcome outcome = claim.evaluate();
+    require_sound(outcome.finding.values);
+    return outcome;
   } catch (const std::exception& error) {
     return failed(error.what());
   } catch (...) {

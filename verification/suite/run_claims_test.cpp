@@ -1,6 +1,8 @@
 #include "verification/suite/run_claims.hpp"
 
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -17,7 +19,7 @@ Claim claim_with(std::string id, std::function<Outcome()> evaluate) {
   return {std::move(id), "title", "location", "printed", std::move(evaluate)};
 }
 
-Outcome holds(std::string own_value) { return {Verdict::holds, std::move(own_value), "", {}}; }
+Outcome holds(const std::string& sentence) { return {ClaimVerdict::holds, {sentence, {}}, "", {}}; }
 
 TEST(RunClaims, ResultsStandInTheOrderOfTheClaimsWhateverTheSpeed) {
   std::vector<Claim> suite;
@@ -31,7 +33,7 @@ TEST(RunClaims, ResultsStandInTheOrderOfTheClaimsWhateverTheSpeed) {
   ASSERT_EQ(results.size(), suite.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i].claim.id, std::to_string(i));
-    EXPECT_EQ(results[i].outcome.own_value, std::to_string(i));
+    EXPECT_EQ(results[i].outcome.finding.sentence, std::to_string(i));
   }
 }
 
@@ -41,10 +43,32 @@ TEST(RunClaims, AClaimThatThrowsIsUndecidedAndStopsNoOther) {
       claim_with("second", []() -> Outcome { throw 7; }),
       claim_with("third", [] { return holds("1"); })};
   const auto results = run_claims(suite);
-  EXPECT_EQ(results[0].outcome.verdict, Verdict::undecided);
+  EXPECT_EQ(results[0].outcome.verdict, ClaimVerdict::undecided);
   EXPECT_NE(results[0].outcome.summary.find("no root in the box"), std::string::npos);
-  EXPECT_EQ(results[1].outcome.verdict, Verdict::undecided);
-  EXPECT_EQ(results[2].outcome.verdict, Verdict::holds);
+  EXPECT_EQ(results[1].outcome.verdict, ClaimVerdict::undecided);
+  EXPECT_EQ(results[2].outcome.verdict, ClaimVerdict::holds);
+}
+
+TEST(RunClaims, ValuesThatAreNotFiniteOrShareANameMakeAClaimUndecided) {
+  const auto with = [](std::vector<ClaimValue> values) {
+    return claim_with("id", [values] {
+      return Outcome{ClaimVerdict::holds, {"", values}, "", {}};
+    });
+  };
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto results = run_claims(std::vector<Claim>{
+      with({to_decimals("stiffness", infinite, 1)}), with({to_digits("order", std::nan(""), 2)}),
+      with({counted("rows", 1), counted("rows", 1)}),
+      with({counted("rows", 1), counted("entries", 1)})});
+  EXPECT_NE(results[0].outcome.summary.find("\"stiffness\" is inf, not a finite"),
+            std::string::npos);
+  EXPECT_NE(results[1].outcome.summary.find("\"order\" is nan"), std::string::npos);
+  EXPECT_NE(results[2].outcome.summary.find("have the name \"rows\""), std::string::npos);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(results[i].outcome.verdict, ClaimVerdict::undecided);
+    EXPECT_TRUE(results[i].outcome.finding.values.empty());
+  }
+  EXPECT_EQ(results[3].outcome.verdict, ClaimVerdict::holds);
 }
 
 TEST(RunClaims, ProgressCountsEveryClaimOnceInSteps) {
@@ -68,8 +92,8 @@ TEST(RunClaims, CertifiedComputationsMayRunOnEveryThread) {
   }
   const auto results = run_claims(suite);
   for (const ClaimResult& result : results) {
-    EXPECT_EQ(result.outcome.verdict, Verdict::holds) << result.outcome.summary;
-    EXPECT_EQ(result.outcome.own_value, results.front().outcome.own_value);
+    EXPECT_EQ(result.outcome.verdict, ClaimVerdict::holds) << result.outcome.summary;
+    EXPECT_EQ(result.outcome.finding.sentence, results.front().outcome.finding.sentence);
   }
 }
 

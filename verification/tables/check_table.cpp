@@ -59,7 +59,7 @@ bool is_tie(const TrueValue& value, const PrintedNumber& print) {
          (*value.exact - print.value()).abs() == print.unit() / certified::Rational(2);
 }
 
-void set(CheckedRow& row, Verdict verdict, std::string detail) {
+void set(CheckedRow& row, PrintVerdict verdict, std::string detail) {
   row.verdict = verdict;
   row.detail = std::move(detail);
 }
@@ -72,15 +72,16 @@ std::string other_form_text(const PrintedNumber& print, const ColumnForm& column
 void judge_right(Row& row, const ColumnForm& column) {
   const PrintedNumber& print = row.result.entry.number;
   if (print.is_bare_zero() && row.value.is_exactly_zero()) {
-    set(row.result, Verdict::certified, "exactly zero");
+    set(row.result, PrintVerdict::certified, "exactly zero");
   } else if (column.established && form_of(print) != column.form) {
-    set(row.result, Verdict::form, other_form_text(print, column));
+    set(row.result, PrintVerdict::form, other_form_text(print, column));
   } else if (print.is_zero() && print.negative && !is_proved_negative(row.value)) {
-    set(row.result, Verdict::form, "the right value with a sign that it does not have");
+    set(row.result, PrintVerdict::form, "the right value with a sign that it does not have");
   } else if (is_tie(row.value, print)) {
-    set(row.result, Verdict::certified, "an exact tie; either neighbour is a correct rounding");
+    set(row.result, PrintVerdict::certified,
+        "an exact tie; either neighbour is a correct rounding");
   } else {
-    set(row.result, Verdict::certified, "");
+    set(row.result, PrintVerdict::certified, "");
   }
 }
 
@@ -99,14 +100,14 @@ void judge_alone(Row& row, const ColumnForm& column) {
       judge_right(row, column);
       return;
     case Decision::undecided:
-      set(row.result, Verdict::undecided,
+      set(row.result, PrintVerdict::undecided,
           fmt::format("the rounding is still open at {} bits", precision_limit_bits));
       return;
     case Decision::no:
       break;
   }
   if (is_right_number(row, column)) {
-    set(row.result, Verdict::form, other_form_text(print, column));
+    set(row.result, PrintVerdict::form, other_form_text(print, column));
     return;
   }
   row.wrong = true;
@@ -183,13 +184,13 @@ std::string describe_difference(const Row& row) {
 void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
   if (yielded_by_route) {
-    result.verdict = Verdict::published_route;
+    result.verdict = PrintVerdict::published_route;
     result.detail = describe_difference(row);
     result.route = route;
     return;
   }
   if (row.repair) {
-    result.verdict = Verdict::misprint;
+    result.verdict = PrintVerdict::misprint;
     result.detail = row.repair->description + ": " + row.repair->repaired.text();
     if (row.repair->only_last_digit) {
       result.detail += "; only the last digit, so an inaccurate computation explains it as well";
@@ -198,7 +199,7 @@ void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
   }
   const int correct = correct_digits(row.value, result.entry.number);
   result.verdict =
-      correct >= least_correct_digits ? Verdict::agrees_to_digits : Verdict::discrepant;
+      correct >= least_correct_digits ? PrintVerdict::agrees_to_digits : PrintVerdict::discrepant;
   result.detail = fmt::format("{} significant digit{} right", correct, correct == 1 ? "" : "s");
   if (result.ulps <= 1.5) result.detail += "; one unit in the last digit is a rounding difference";
 }
@@ -290,22 +291,22 @@ void find_form(Column& column) {
 
 }  // namespace
 
-std::map<Verdict, int> CheckedTable::counts() const {
-  std::map<Verdict, int> result;
+std::map<PrintVerdict, int> CheckedTable::counts() const {
+  std::map<PrintVerdict, int> result;
   for (const CheckedRow& row : rows) ++result[row.verdict];
   return result;
 }
 
 bool CheckedTable::is_right() const {
   return std::all_of(rows.begin(), rows.end(), [](const CheckedRow& row) {
-    return row.verdict == Verdict::certified || row.verdict == Verdict::form;
+    return row.verdict == PrintVerdict::certified || row.verdict == PrintVerdict::form;
   });
 }
 
 CheckedTable check_table(const PublishedTable& table) {
   CheckedTable result{table.file, table.title, {}, {}};
   for (const PublishedEntry& entry : table.entries) {
-    result.rows.push_back({entry, Verdict::undecided, "", 0, "", ""});
+    result.rows.push_back({entry, PrintVerdict::undecided, "", 0, "", ""});
   }
   Filters filters;
   std::vector<Column> columns;

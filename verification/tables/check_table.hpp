@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "verification/suite/verdict.hpp"
 #include "verification/tables/column_routes.hpp"
+#include "verification/tables/print_verdict.hpp"
 #include "verification/tables/published_table.hpp"
 
 namespace wavecurve::verification {
 
 struct CheckedRow {
   PublishedEntry entry;
-  Verdict verdict = Verdict::undecided;
+  PrintVerdict verdict = PrintVerdict::undecided;
   /// The true value, correctly rounded (proved) to the number of decimals of the column, or of the
   /// print where that has more and they differ.
   std::string certified;
@@ -43,7 +43,7 @@ struct CheckedTable {
   std::vector<CheckedRow> rows;  ///< in the order of the table
   std::vector<CheckedColumn> columns;
 
-  std::map<Verdict, int> counts() const;
+  std::map<PrintVerdict, int> counts() const;
   /// True if every value is right: certified, or right but for its form.
   bool is_right() const;
 };

@@ -58,20 +58,20 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(CheckTable, Table1IsCertifiedWhole) {
   const CheckedTable table = published("table_1.csv");
-  EXPECT_EQ(table.counts(), (std::map<Verdict, int>{{Verdict::certified, 24}}));
+  EXPECT_EQ(table.counts(), (std::map<PrintVerdict, int>{{PrintVerdict::certified, 24}}));
   EXPECT_TRUE(table.is_right());
 }
 
 TEST(CheckTable, Table2CameByARoute) {
   const CheckedTable table = published("table_2.csv");
-  EXPECT_EQ(table.counts(), (std::map<Verdict, int>{{Verdict::certified, 16},
-                                                    {Verdict::form, 2},
-                                                    {Verdict::misprint, 5},
-                                                    {Verdict::published_route, 13}}));
+  EXPECT_EQ(table.counts(), (std::map<PrintVerdict, int>{{PrintVerdict::certified, 16},
+                                                         {PrintVerdict::form, 2},
+                                                         {PrintVerdict::misprint, 5},
+                                                         {PrintVerdict::published_route, 13}}));
   EXPECT_FALSE(table.is_right());
   std::map<Quantity, double> farthest;
   for (const CheckedRow& row : table.rows) {
-    if (row.verdict != Verdict::published_route) continue;
+    if (row.verdict != PrintVerdict::published_route) continue;
     double& most = farthest[row.entry.quantity];
     most = std::max(most, row.ulps);
   }
@@ -111,7 +111,7 @@ TEST(CheckTable, CertifiesCorrectRoundingsOfEveryQuantity) {
         const int from = is_taps(quantity) ? first : 1;
         const CheckedTable table = check(right_rows(name, quantity, from, from + 3, form));
         for (const CheckedRow& row : table.rows) {
-          EXPECT_EQ(row.verdict, Verdict::certified)
+          EXPECT_EQ(row.verdict, PrintVerdict::certified)
               << name << " " << to_string(quantity) << " " << row.entry.printed << row.detail;
           EXPECT_LE(row.ulps, 0.5);
         }
@@ -144,12 +144,12 @@ TEST(CheckTable, JudgesATableWithErrors) {
           "\n");
   rows = replaced(rows, print(5) + "\n", "0.7777777777\n");
   const CheckedTable table = check(rows);
-  EXPECT_EQ(table.rows[0].verdict, Verdict::certified);
-  EXPECT_EQ(table.rows[1].verdict, Verdict::agrees_to_digits) << table.rows[1].detail;
-  EXPECT_EQ(table.rows[2].verdict, Verdict::misprint) << table.rows[2].detail;
-  EXPECT_EQ(table.rows[3].verdict, Verdict::agrees_to_digits) << table.rows[3].detail;
-  EXPECT_EQ(table.rows[4].verdict, Verdict::form) << table.rows[4].detail;
-  EXPECT_EQ(table.rows[5].verdict, Verdict::discrepant) << table.rows[5].detail;
+  EXPECT_EQ(table.rows[0].verdict, PrintVerdict::certified);
+  EXPECT_EQ(table.rows[1].verdict, PrintVerdict::agrees_to_digits) << table.rows[1].detail;
+  EXPECT_EQ(table.rows[2].verdict, PrintVerdict::misprint) << table.rows[2].detail;
+  EXPECT_EQ(table.rows[3].verdict, PrintVerdict::agrees_to_digits) << table.rows[3].detail;
+  EXPECT_EQ(table.rows[4].verdict, PrintVerdict::form) << table.rows[4].detail;
+  EXPECT_EQ(table.rows[5].verdict, PrintVerdict::discrepant) << table.rows[5].detail;
   for (int i : {1, 2, 3, 5}) {
     const auto place = static_cast<std::size_t>(i);
     EXPECT_EQ(table.rows[place].certified, clean.rows[place].certified);
@@ -163,7 +163,7 @@ TEST(CheckTable, FindsATableThatWasCutOffInsteadOfRounded) {
       "D8,h,5,0.03084\nD8,h,6,0.03288\nD8,h,7,-0.01059\n");
   EXPECT_EQ(table.columns[0].route, "the true values, cut off instead of rounded");
   EXPECT_EQ(table.columns[0].matched, 8);
-  EXPECT_GE(table.counts().at(Verdict::published_route), 2);
+  EXPECT_GE(table.counts().at(PrintVerdict::published_route), 2);
 }
 
 TEST(CheckTable, FindsTheRouteThatATableWasMadeBy) {
@@ -189,7 +189,7 @@ TEST(CheckTable, FindsTheRouteThatATableWasMadeBy) {
   const CheckedTable table = check(rows);
   EXPECT_EQ(table.columns[0].route, wanted);
   EXPECT_EQ(table.columns[0].matched, table.columns[0].of);
-  EXPECT_GE(table.counts().at(Verdict::published_route), 2);
+  EXPECT_GE(table.counts().at(PrintVerdict::published_route), 2);
 }
 
 TEST(CheckTable, FindsTheRouteOfTapsFromTheirFirstIndexOn) {
@@ -238,28 +238,29 @@ TEST(CheckTable, TriesNoRouteFromAnAlphaColumnWithGaps) {
 
 TEST(CheckTable, AsksForThreeCorrectDigits) {
   // The value is -0.63420233...
-  EXPECT_EQ(check("D8,mu/mu0,1,-0.637777777777\n").rows[0].verdict, Verdict::discrepant);
-  EXPECT_EQ(check("D8,mu/mu0,1,-0.634277777777\n").rows[0].verdict, Verdict::agrees_to_digits);
+  EXPECT_EQ(check("D8,mu/mu0,1,-0.637777777777\n").rows[0].verdict, PrintVerdict::discrepant);
+  EXPECT_EQ(check("D8,mu/mu0,1,-0.634277777777\n").rows[0].verdict, PrintVerdict::agrees_to_digits);
 }
 
 TEST(CheckTable, ReadsZerosAsPrinted) {
   const CheckedTable table = check(
       "D8,mu/mu0,1,-0.634202334430\nD8,mu/mu0,2,0.167516447426\nD8,mu/mu0,7,0\nD8,mu/mu0,6,0\n"
       "D8,mu/mu0,8,-0.000000000000\nD8,mu/mu0,-7,0.000\n");
-  EXPECT_EQ(table.rows[2].verdict, Verdict::certified);
-  EXPECT_EQ(table.rows[3].verdict, Verdict::form) << "right at no decimals, not in the column's";
-  EXPECT_EQ(table.rows[4].verdict, Verdict::form) << "an exact zero has no sign";
-  EXPECT_EQ(table.rows[5].verdict, Verdict::form);
+  EXPECT_EQ(table.rows[2].verdict, PrintVerdict::certified);
+  EXPECT_EQ(table.rows[3].verdict, PrintVerdict::form)
+      << "right at no decimals, not in the column's";
+  EXPECT_EQ(table.rows[4].verdict, PrintVerdict::form) << "an exact zero has no sign";
+  EXPECT_EQ(table.rows[5].verdict, PrintVerdict::form);
   const CheckedTable small = check("D8,mu/mu0,6,-0.000\nD8,mu/mu0,5,-0.000\nD8,mu/mu0,1,-0.634\n");
-  EXPECT_EQ(small.rows[0].verdict, Verdict::certified) << "the value is negative";
-  EXPECT_EQ(small.rows[1].verdict, Verdict::form) << "the value is positive";
+  EXPECT_EQ(small.rows[0].verdict, PrintVerdict::certified) << "the value is negative";
+  EXPECT_EQ(small.rows[1].verdict, PrintVerdict::form) << "the value is positive";
 }
 
 TEST(CheckTable, TakesEitherNeighbourOfAnExactTie) {
   // alpha_1 of the Haar filter is 1; of db2 1.125: at two decimals a tie.
   const CheckedTable table = check("db2,alpha,1,1.12\ndb2,alpha,-1,1.13\ndb2,alpha,3,-0.13\n");
-  EXPECT_EQ(table.rows[0].verdict, Verdict::certified) << table.rows[0].detail;
-  EXPECT_EQ(table.rows[1].verdict, Verdict::certified) << table.rows[1].detail;
+  EXPECT_EQ(table.rows[0].verdict, PrintVerdict::certified) << table.rows[0].detail;
+  EXPECT_EQ(table.rows[1].verdict, PrintVerdict::certified) << table.rows[1].detail;
   EXPECT_NE(table.rows[0].detail.find("tie"), std::string::npos);
 }
 
@@ -281,9 +282,9 @@ TEST(CheckTable, SaysWhatAUsersDecimalsDoNotDecide) {
   const CheckedTable table = check(name + ",h*sqrt2,0,0.6830127\n" + name + ",h*sqrt2,1,1.18\n" +
                                    name + ",h*sqrt2,2,0.9\n");
   std::filesystem::remove(path);
-  EXPECT_EQ(table.rows[0].verdict, Verdict::undecided) << table.rows[0].detail;
-  EXPECT_EQ(table.rows[1].verdict, Verdict::certified) << table.rows[1].detail;
-  EXPECT_EQ(table.rows[2].verdict, Verdict::discrepant) << table.rows[2].detail;
+  EXPECT_EQ(table.rows[0].verdict, PrintVerdict::undecided) << table.rows[0].detail;
+  EXPECT_EQ(table.rows[1].verdict, PrintVerdict::certified) << table.rows[1].detail;
+  EXPECT_EQ(table.rows[2].verdict, PrintVerdict::discrepant) << table.rows[2].detail;
 }
 
 TEST(CheckTable, NamesTheLineOfWhatTheFilterDoesNotHave) {
@@ -309,7 +310,7 @@ RC_GTEST_PROP(CheckTable, ACorrectRoundingIsAlwaysCertified, ()) {
   const PrintForm form{*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 50)};
   const std::string row = right_rows(filter, quantity, index, index, form);
   const CheckedTable table = check(row);
-  RC_ASSERT(table.rows[0].verdict == Verdict::certified);
+  RC_ASSERT(table.rows[0].verdict == PrintVerdict::certified);
 }
 
 RC_GTEST_PROP(CheckTable, OneUnitIsNeitherCertifiedNorAMisprint, (bool up)) {
@@ -322,7 +323,7 @@ RC_GTEST_PROP(CheckTable, OneUnitIsNeitherCertifiedNorAMisprint, (bool up)) {
   print.digits.back() = static_cast<char>(print.digits.back() + (up ? 1 : -1));
   const CheckedTable table =
       check(filter + ",mu," + std::to_string(index) + "," + print.text() + "\n");
-  RC_ASSERT(table.rows[0].verdict == Verdict::agrees_to_digits);
+  RC_ASSERT(table.rows[0].verdict == PrintVerdict::agrees_to_digits);
 }
 
 }  // namespace

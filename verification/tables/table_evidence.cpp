@@ -87,12 +87,26 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   return chart;
 }
 
-std::string count_text(const CheckedTable& table) {
-  std::string text;
-  for (const auto& [verdict, count] : table.counts()) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(verdict));
+ClaimVerdict verdict_of(const CheckedTable& table) {
+  const auto counts = table.counts();
+  const auto has = [&](PrintVerdict verdict) { return counts.contains(verdict); };
+  if (has(PrintVerdict::discrepant) || has(PrintVerdict::agrees_to_digits)) {
+    return ClaimVerdict::discrepant;
   }
-  return text;
+  if (has(PrintVerdict::undecided)) return ClaimVerdict::undecided;
+  if (has(PrintVerdict::published_route)) return ClaimVerdict::published_route;
+  if (has(PrintVerdict::misprint)) return ClaimVerdict::discrepant;
+  return has(PrintVerdict::form) ? ClaimVerdict::form : ClaimVerdict::certified;
+}
+
+Finding count_finding(const CheckedTable& table) {
+  std::string words;
+  std::vector<ClaimValue> values;
+  for (const auto& [verdict, count] : table.counts()) {
+    words += fmt::format("{}{{}} {}", words.empty() ? "" : ", ", to_string(verdict));
+    values.push_back(counted(std::string(to_string(verdict)), count));
+  }
+  return {words, values};
 }
 
 }  // namespace wavecurve::verification

@@ -22,7 +22,11 @@ Table route_table(const CheckedColumn& column, const std::string& start, std::si
 /// |print - true value| of every entry that is not exactly right, on a logarithmic scale.
 Chart deviation_chart(const CheckedTable& table, const std::string& id);
 
-/// "16 certified, 2 form"
-std::string count_text(const CheckedTable& table);
+/// What the verdicts of its numbers make of the table. Misprints alone, without a route, leave it
+/// discrepant.
+ClaimVerdict verdict_of(const CheckedTable& table);
+
+/// How many numbers have each verdict: "16 certified, 2 form".
+Finding count_finding(const CheckedTable& table);
 
 }  // namespace wavecurve::verification

@@ -127,12 +127,12 @@ Outcome evaluate() {
         {fmt::format("{}", rho), fmt::format("{:.2g}", printed), fmt::format("{:.0e}", corrected)});
   }
   Outcome outcome;
-  outcome.verdict = corrected_is_right && !printed_is_right ? Verdict::does_not_hold
-                    : printed_is_right                      ? Verdict::holds
-                                                            : Verdict::undecided;
-  outcome.own_value = fmt::format(
-      "the identity block has no factor 1/ρ; with it, the displacement errs by up to {:.0f} %",
-      100 * worst);
+  outcome.verdict = corrected_is_right && !printed_is_right ? ClaimVerdict::does_not_hold
+                    : printed_is_right                      ? ClaimVerdict::holds
+                                                            : ClaimVerdict::undecided;
+  outcome.finding = {
+      "the identity block has no factor 1/ρ; with it, the displacement errs by up to {}",
+      {to_decimals("largest error of the displacement, as printed", 100 * worst, 0, "%")}};
   outcome.summary =
       "The upper row must read q̇ = q̇. With 1/ρ before it, the system solves "
       "q̈ = -K q / ρ^2 - C q̇ / ρ: right for ρ = 1 only.";

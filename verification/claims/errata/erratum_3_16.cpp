@@ -94,10 +94,10 @@ Outcome evaluate() {
   const double tolerance = 16 * std::numeric_limits<double>::epsilon();
   const bool is_slip = worst_corrected <= tolerance && best_printed > tolerance;
   return {
-      is_slip ? Verdict::does_not_hold : Verdict::holds,
-      fmt::format("r_1, r_2 are the roots of ρ r^2 + c r + k = 0; the printed readings leave "
-                  "residuals from {:.1g} on",
-                  best_printed),
+      is_slip ? ClaimVerdict::does_not_hold : ClaimVerdict::holds,
+      {"r_1, r_2 are the roots of ρ r^2 + c r + k = 0; the printed readings leave residuals from "
+       "{} on",
+       {to_digits("smallest residual of the printed readings", best_printed, 1)}},
       "The characteristic equation is algebraic, and its coefficients are those of the damping and "
       "the stiffness; e_0 already names the constitutive scalar of section 3.2.",
       {Paragraph{

@@ -75,10 +75,9 @@ Outcome evaluate() {
   const Eigen::Index found = rank(massless);
   const bool is_singular = found < samples && rank(damping(stiffness, 1)) == samples;
   return {
-      is_singular ? Verdict::does_not_hold : Verdict::holds,
-      fmt::format("C = s_2 K has rank {} of {}: no inverse; Schulz' iteration tends to the "
-                  "pseudo-inverse",
-                  found, samples),
+      is_singular ? ClaimVerdict::does_not_hold : ClaimVerdict::holds,
+      {"C = s_2 K has rank {} of {}: no inverse; Schulz' iteration tends to the pseudo-inverse",
+       {counted("rank of C without mass", found), counted("N", samples)}},
       "With ρ = 0 the mass damping s_1 M vanishes along with M, and the constants are in the "
       "null "
       "space of what is left. For pure mass damping, s_2 = 0, nothing at all is left.",

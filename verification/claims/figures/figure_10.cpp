@@ -85,9 +85,10 @@ Outcome evaluate() {
       "solid, of the {} frames between dotted.",
       frames);
   Outcome outcome;
-  outcome.verdict = Verdict::stand_in;
-  outcome.own_value =
-      fmt::format("{} frames between the key frames, {:.3f} s apart", frames, end - begin);
+  outcome.verdict = ClaimVerdict::stand_in;
+  outcome.finding = {"{} frames between the key frames, {} apart",
+                     {counted("frames between the key frames", frames),
+                      to_decimals("time between the key frames", end - begin, 3, "s")}};
   outcome.summary =
       "The video is lost; the limbs are those of docs/examples/dog-walk.csv. Key frame 1 is where "
       "the left forelimb lifts off, key frame 2 a quarter of a cycle later.";

@@ -208,12 +208,14 @@ Outcome evaluate() {
       {"forefoot, x", foot, 0}, {"forefoot, y", foot, 1}, {"elbow, x", foot / 2, 0}};
   const std::vector<gait::PhaseData> data = subcycles();
   Outcome outcome;
-  outcome.verdict = Verdict::stand_in;
-  outcome.own_value = fmt::format(
-      "largest residual of a swing: quadratic {} %, cubic {} %, sextic {} % of the stride",
-      percent(largest_residual(gait::GaitModel::quadratic)),
-      percent(largest_residual(gait::GaitModel::cubic)),
-      percent(largest_residual(gait::GaitModel::sextic)));
+  outcome.verdict = ClaimVerdict::stand_in;
+  const auto residual = [](const std::string& name, gait::GaitModel model) {
+    return to_digits("largest residual of a swing, " + name, 100 * largest_residual(model), 2, "%");
+  };
+  outcome.finding = {
+      "largest residual of a swing: quadratic {}, cubic {}, sextic {} of the stride",
+      {residual("quadratic", gait::GaitModel::quadratic), residual("cubic", gait::GaitModel::cubic),
+       residual("sextic", gait::GaitModel::sextic)}};
   outcome.summary =
       "The video is lost; the samples are those of docs/examples/dog-walk.csv, o in subcycle A and "
       "x "
@@ -221,10 +223,11 @@ Outcome evaluate() {
       "swing is slow, fast, slow: the publication's quadratic, which has one parameter and is "
       "pinned "
       "at both ends, cannot follow it; one cubic term more can.";
-  outcome.evidence = {curves_chart(data, coordinates[0], "figure-11"),
-                      curves_chart(data, coordinates[2], "figure-11-elbow"), swing_chart(),
-                      gamma_table(coordinates),
-                      quality_table({"stance", "swing"}, {gait::gait_models.begin(), gait::gait_models.end()})};
+  outcome.evidence = {
+      curves_chart(data, coordinates[0], "figure-11"),
+      curves_chart(data, coordinates[2], "figure-11-elbow"), swing_chart(),
+      gamma_table(coordinates),
+      quality_table({"stance", "swing"}, {gait::gait_models.begin(), gait::gait_models.end()})};
   return outcome;
 }
 

@@ -33,9 +33,10 @@ Outcome evaluate() {
   picture.alternative_text =
       "Four rows, the subcycles A to D, of six frames of a drawn dog that walks to the right.";
   picture.data = walk_numbers(walk, 4 * columns);
-  return {Verdict::stand_in,
-          fmt::format("{} frames from two key frames; a standing foot slides by {} % of the stride",
-                      4 * columns, percent(walk.slide)),
+  return {ClaimVerdict::stand_in,
+          {"{} frames from two key frames; a standing foot slides by {} of the stride",
+           {counted("frames", 4 * columns),
+            to_digits("slide of a standing foot", 100 * walk.slide, 2, "%")}},
           walk_data +
               " Left limbs pass through A to D, right limbs do the same half a cycle later; the "
               "successor of the last frame is the first.",

@@ -30,8 +30,8 @@ Outcome evaluate() {
       "the front.",
       count);
   picture.data = walk_numbers(walk, 4 * count);
-  return {Verdict::stand_in,
-          fmt::format("{} frames of subcycle A, between one pair of key frames", count),
+  return {ClaimVerdict::stand_in,
+          {"{} frames of subcycle A, between one pair of key frames", {counted("frames", count)}},
           walk_data + " Any number of frames may be drawn between two key frames.",
           {picture, quality_table({"stance", "swing"}, {gait::GaitModel::quadratic})}};
 }

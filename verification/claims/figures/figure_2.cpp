@@ -174,10 +174,14 @@ Outcome evaluate() {
     return percent(values[static_cast<std::size_t>(k)]);
   };
   Outcome outcome;
-  outcome.verdict = similar && ordered ? Verdict::stand_in : Verdict::does_not_hold;
-  outcome.own_value = fmt::format(
-      "from 16 of 1024: RMS {} (spline), {} (D8), {} (Fourier); levels 1 and 2 within {}",
-      at(a.rms, 6), at(b.rms, 6), at(fourier.rms, 6), percent(omitted));
+  outcome.verdict = similar && ordered ? ClaimVerdict::stand_in : ClaimVerdict::does_not_hold;
+  outcome.finding = {
+      "from {} of {}: RMS {} (spline), {} (D8), {} (Fourier); levels 1 and 2 within {}",
+      {counted("control points", samples >> levels), counted("samples", samples),
+       to_digits("RMS distance, cubic spline", 100 * a.rms[levels], 2, "%"),
+       to_digits("RMS distance, D8", 100 * b.rms[levels], 2, "%"),
+       to_digits("RMS distance, Fourier", 100 * fourier.rms[levels], 2, "%"),
+       to_digits("Hausdorff distance of levels 1 and 2", 100 * omitted, 2, "%")}};
   outcome.summary = fmt::format(
       "Levels 1 and 2, which the figure omits as similar to the original, deviate by at most {} of "
       "the diagonal of the bounding box (Hausdorff), {} half of the drawn line's width. Level 6 "

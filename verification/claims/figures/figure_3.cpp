@@ -61,10 +61,11 @@ Outcome evaluate() {
                    row("single scale", stiffness(bank, samples, 0)),
                    row("all six levels", stiffness(bank, samples, 6))}};
   return {
-      agree ? Verdict::holds : Verdict::does_not_hold,
-      fmt::format("{} of {} entries are not zero, {} of them above 1e-12 of the largest; symmetry "
-                  "error {:.2g}",
-                  k.nonZeros(), samples * samples, count_above(k, 1e-12), symmetry_error(k)),
+      agree ? ClaimVerdict::holds : ClaimVerdict::does_not_hold,
+      {"{} of {} entries are not zero, {} of them above 1e-12 of the largest; symmetry error {}",
+       {counted("entries that are not zero", k.nonZeros()), counted("entries", samples * samples),
+        counted("entries above 1e-12 of the largest", count_above(k, 1e-12)),
+        to_digits("symmetry error", symmetry_error(k), 2)}},
       fmt::format("The matrix is symmetric, with the block structure of the figure. Assembled "
                   "from the connection coefficients and computed by the definition S^T K S it "
                   "differs by {:.0e} of its largest entry.",

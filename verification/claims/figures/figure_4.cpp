@@ -96,9 +96,11 @@ Outcome evaluate() {
        row("staged, 16 control points", face_morph(motion::Detail::stage, 16)),
        row("dropped, 64 control points (as published)", face_morph(motion::Detail::drop, 64)),
        row("dropped, 16 control points (as published)", face_morph(motion::Detail::drop, 16))}};
-  return {Verdict::stand_in,
-          fmt::format("{} layers, {} crossings in {} frames", animation.layers.size(),
-                      total_crossings(shown), frames - 2),
+  return {ClaimVerdict::stand_in,
+          {"{} layers, {} crossings in {} frames",
+           {counted("layers", std::ssize(animation.layers)),
+            counted("crossings", total_crossings(shown)),
+            counted("frames between the ends", frames - 2)}},
           "The publication's drawings are lost; its morph of layers is shown on two faces of our "
           "own. Layers correspond by their names, points by correlation.",
           {picture}};

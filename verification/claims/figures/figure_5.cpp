@@ -183,9 +183,10 @@ Outcome evaluate() {
   options.frames = shown_frames;
   options.tolerance = all.view_box.width / 1024;
   picture.svg = io::animation_sheet(all, options);
-  return {Verdict::stand_in,
-          fmt::format("linear and {} physical motions; the largest swing-over is {} of the way",
-                      motions.size(), digits(swing)),
+  return {ClaimVerdict::stand_in,
+          {"linear and {} physical motions; the largest swing-over is {} of the way",
+           {counted("physical motions", std::ssize(motions)),
+            to_digits("largest swing-over as a share of the way", swing, 3)}},
           "The publication's drawings and parameters are lost; faces of our own move linearly and "
           "as elastic curves with other constitutive, mass and damping parameters.",
           {picture}};

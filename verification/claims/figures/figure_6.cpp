@@ -128,11 +128,14 @@ Outcome evaluate() {
                                 fmt::format("{:.4f}", all[i][last])});
   }
   Outcome outcome;
-  outcome.verdict = Verdict::stand_in;
-  outcome.own_value = fmt::format(
-      "no friction: never nearer to rest than {:.0f} % of the first distance; damped: {:.2g} % at "
-      "t = 2, {:.0f} % if the mean is displaced",
-      100 * least, 100 * all[2][last], 100 * all[3][last]);
+  outcome.verdict = ClaimVerdict::stand_in;
+  outcome.finding = {
+      "no friction: never nearer to rest than {} of the first distance; damped: {} at t = {}, {} if "
+      "the mean is displaced",
+      {to_decimals("least distance without friction", 100 * least, 0, "%"),
+       to_digits("last distance, damped", 100 * all[2][last], 2, "%"),
+       to_decimals("last instant", times[last], 0),
+       to_decimals("last distance, damped, mean displaced", 100 * all[3][last], 0, "%")}};
   outcome.summary =
       "Without friction, as the text has it, no energy is lost: the hoop swings about its rest "
       "shape for ever. It is restored completely only if it is damped and its mean is not "

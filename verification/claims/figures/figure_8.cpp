@@ -44,10 +44,12 @@ Outcome evaluate() {
          fmt::format("{:.3f}", limb.duty_factor), fmt::format("{:.1f}", limb.excursion)});
   }
   Outcome outcome;
-  outcome.verdict = Verdict::stand_in;
-  outcome.own_value = fmt::format(
-      "{} frames, {:.2f} cycles of {:.3f} s, stride {:.1f}", walk.times.size(),
-      (walk.times.tail(1) - walk.times.head(1)).value() / cycle.period, cycle.period, cycle.stride);
+  outcome.verdict = ClaimVerdict::stand_in;
+  const double duration = (walk.times.tail(1) - walk.times.head(1)).value();
+  outcome.finding = {
+      "{} frames, {} cycles of {}, stride {}",
+      {counted("frames", walk.times.size()), to_decimals("cycles", duration / cycle.period, 2),
+       to_decimals("period", cycle.period, 3, "s"), to_decimals("stride", cycle.stride, 1)}};
   outcome.summary =
       "The video is lost. A dog of the project's own walks in its place: "
       "docs/examples/dog-walk.csv, "

@@ -196,13 +196,16 @@ Outcome evaluate() {
     picture.data.rows.push_back(cells);
   }
   Outcome outcome;
-  outcome.verdict = Verdict::stand_in;
-  outcome.own_value = fmt::format(
-      "touch-downs and duty factors of record and model at most {:.1f} and {:.1f} % of the cycle "
-      "from the published; of the model from two key frames, {:.1f} %",
-      100 * largest_difference(sources[1].stances, sources[0].stances),
-      100 * largest_difference(sources[2].stances, sources[0].stances),
-      100 * largest_difference(two_keys, sources[0].stances));
+  outcome.verdict = ClaimVerdict::stand_in;
+  const auto off = [&](const std::string& which, const Footfalls& footfalls) {
+    return to_decimals("largest difference of the " + which,
+                       100 * largest_difference(footfalls, sources[0].stances), 1, "%");
+  };
+  outcome.finding = {
+      "touch-downs and duty factors of record and model at most {} and {} of the cycle from the "
+      "published; of the model from two key frames, {}",
+      {off("record", sources[1].stances), off("model", sources[2].stances),
+       off("model from two key frames", two_keys)}};
   outcome.summary =
       "The video is lost; the dog of docs/examples/dog-walk.csv walks by published timings. A foot "
       "counts as standing while it moves backwards at more than about half of the ground's speed; "

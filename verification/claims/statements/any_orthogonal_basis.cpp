@@ -1,6 +1,7 @@
 // "This method can however be applied to any other orthogonal wavelet bases": only where phi' is
 // square integrable. Haar's and Daubechies' D4 are orthonormal and have no stiffness.
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -76,8 +77,9 @@ Outcome evaluate() {
   const auto s = sobolev_exponent(certified::find_filter("D4"));
   const bool refused = !certainly_less(Ball(1), s);
   Outcome outcome;
-  outcome.verdict = refused ? Verdict::does_not_hold : Verdict::holds;
-  outcome.own_value = fmt::format("D4: exponent {}, stiffness infinite", *round_to_digits(s, 4));
+  outcome.verdict = refused ? ClaimVerdict::does_not_hold : ClaimVerdict::holds;
+  outcome.finding = {"D4: exponent {}, stiffness infinite",
+                     {to_decimals("Sobolev exponent of D4", std::stod(*round_to_digits(s, 4)), 3)}};
   outcome.summary = fmt::format(
       "The integrals of φ' φ' exist only for a Sobolev exponent above 1. Haar's and D4 are "
       "orthonormal and have none: refining the grid once more adds {:.3f} to D4's energy at level "

@@ -120,6 +120,7 @@ Outcome evaluate() {
   table.columns.push_back("each layer its best scale and start");
   int pairs_with_crossings = 0;
   std::vector<std::string> everywhere;
+  std::vector<ClaimValue> least;  // at any scale, of the pairs that cross at every one
   for (const Pair& pair : pairs()) {
     for (const auto& [name, detail] :
          {std::pair{"dropped", motion::Detail::drop}, {"staged", motion::Detail::stage}}) {
@@ -129,19 +130,24 @@ Outcome evaluate() {
       table.rows.back().push_back(avoided(pair, detail));
       if (detail != motion::Detail::drop) continue;
       if (totals.front() > 0) ++pairs_with_crossings;
-      if (*std::min_element(totals.begin(), totals.end()) > 0) everywhere.push_back(pair.name);
+      const Index fewest = *std::min_element(totals.begin(), totals.end());
+      if (fewest == 0) continue;
+      everywhere.push_back(pair.name);
+      least.push_back(counted("fewest crossings at any scale, " + pair.name, fewest));
     }
   }
   const bool holds_nowhere = everywhere.empty();
+  std::vector<ClaimValue> values{
+      counted("pairs that cross at full resolution", pairs_with_crossings),
+      counted("pairs", std::ssize(pairs())), counted("fewest control points", coarsest)};
+  values.insert(values.end(), least.begin(), least.end());
   return {
-      holds_nowhere ? Verdict::depends_on_definition : Verdict::does_not_hold,
-      holds_nowhere
-          ? fmt::format("{} of {} pairs cross at full resolution, each has a scale that does not",
-                        pairs_with_crossings, pairs().size())
-          : fmt::format("{} of {} pairs cross at full resolution; {} at every scale down to {} "
-                        "control points",
-                        pairs_with_crossings, pairs().size(), fmt::join(everywhere, ", "),
-                        coarsest),
+      holds_nowhere ? ClaimVerdict::depends_on_definition : ClaimVerdict::does_not_hold,
+      {"{} of {} pairs cross at full resolution; " +
+           (holds_nowhere ? "each has a scale that does not"
+                          : fmt::format("{} at every scale down to {{}} control points",
+                                        fmt::join(everywhere, ", "))),
+       values},
       "A coarse scale has fewer crossings, often none, but nothing in the method excludes them: "
       "control points that move on straight lines can pull a contour through itself at any scale.",
       {Paragraph{"A crossing is proper where two edges of a layer's polygons have one point in "

@@ -106,10 +106,13 @@ Outcome evaluate() {
   const Count k2 =
       count(off_diagonal_ratios(stiffness(find_filter_bank<double>("coif2"), samples, 2)));
   Outcome outcome;
-  outcome.verdict = total.dominant == total.rows ? Verdict::holds : Verdict::does_not_hold;
-  outcome.own_value =
-      fmt::format("dominant rows at N = {}: D8, all levels, {}; K2 as in Figure 3, {}", samples,
-                  d8.text(), k2.text());
+  outcome.verdict =
+      total.dominant == total.rows ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
+  outcome.finding = {
+      "dominant rows at N = {}: D8, all levels, {} of {}; K2 as in Figure 3, {} of {}",
+      {counted("N", samples), counted("dominant rows of D8, all levels", d8.dominant),
+       counted("rows of D8", d8.rows), counted("dominant rows of K2, two levels", k2.dominant),
+       counted("rows of K2", k2.rows)}};
   outcome.summary = fmt::format(
       "{} of {} rows over the families of the table are diagonally dominant in the usual sense; "
       "the "

@@ -95,11 +95,15 @@ Outcome evaluate() {
                           fmt::format("{:.3g}", allowed)});
   }
   Outcome outcome;
-  outcome.verdict = holds ? Verdict::holds : Verdict::does_not_hold;
-  outcome.own_value = fmt::format(
-      "round trip: at most {:.2g} units of 2^-52 a level for orthonormal families, {:.2g} for "
-      "the biorthogonal ones",
-      worst_orthonormal, worst_other);
+  outcome.verdict = holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
+  const auto error = [](const std::string& families, double units) {
+    return to_digits("largest error of a round trip, " + families, units, 2,
+                     "units of 2^-52 a level");
+  };
+  outcome.finding = {
+      "round trip: at most {} for orthonormal families, {} for the biorthogonal ones",
+      {error("orthonormal families", worst_orthonormal),
+       error("biorthogonal families", worst_other)}};
   outcome.summary =
       "Forward and back gives the sequence again up to rounding, for every family and also where "
       "the sequence is shorter than the filter. The biorthogonal families enlarge rounding by at "

@@ -24,22 +24,24 @@ Outcome evaluate() {
                 {"l", "its weight l^2 in the null combination", "system", "μ_0"},
                 {}};
   int regular = 0, right = 0;
-  bool first_is_singular = false;
+  int kept = -1;  // the equation without which the system is singular
   for (int l = 0; l < a.size(); ++l) {
     auto changed = a;
     const auto right_hand_side = replace_by_moment_condition(changed, l);
     const auto solution = certified::solve(changed, right_hand_side);
     if (solution) ++regular;
     if (solution && solution->front() == mu[0]) ++right;
-    if (l == 0) first_is_singular = !solution.has_value();
+    if (!solution) kept = l;
     choices.rows.push_back({std::to_string(l), std::to_string(l * l),
                             solution ? "regular" : "singular",
                             solution ? solution->front().to_string() : "none"});
   }
-  const bool as_expected = first_is_singular && regular == a.size() - 1 && right == regular;
+  const bool as_expected = kept == 0 && regular == a.size() - 1 && right == regular;
   return {
-      as_expected ? Verdict::depends_on_definition : Verdict::undecided,
-      fmt::format("any equation but that of l = 0 ({} of {} choices)", regular, a.size()),
+      as_expected ? ClaimVerdict::depends_on_definition : ClaimVerdict::undecided,
+      {"any equation but that of l = {} ({} of {} choices)",
+       {counted("the equation that must stay, l", kept), counted("regular systems", regular),
+        counted("choices", a.size())}},
       "The publication does not say which equation makes room for the one that fixes the scale. "
       "The equations weighted by l^2 add up to zero. The equation l = 0 has no part in that, so "
       "without it the others are still dependent and the system stays singular.",

@@ -192,7 +192,7 @@ Outcome evaluate() {
        "error, finest"},
       {}};
   std::size_t nominal = 0;
-  std::string low, high;
+  double low = 0, high = 0;
   for (const Method& method : all) {
     const PowerFit fit = order_of(method);
     if (is_nominal(method, fit)) ++nominal;
@@ -201,13 +201,16 @@ Outcome evaluate() {
          fmt::format("{:.2f} to {:.2f}", fit.low, fit.high), method.counted,
          std::to_string(fit.points), fmt::format("{:.1e}", method.points.front().error),
          fmt::format("{:.1e}", method.points.back().error)});
-    if (method.name.starts_with("Euler, C^-1")) low = fmt::format("{:.2f}", fit.exponent);
-    if (method.name == "Runge-Kutta 4, equal steps") high = fmt::format("{:.2f}", fit.exponent);
+    if (method.name.starts_with("Euler, C^-1")) low = fit.exponent;
+    if (method.name == "Runge-Kutta 4, equal steps") high = fit.exponent;
   }
   Outcome outcome;
-  outcome.verdict = nominal == all.size() ? Verdict::holds : Verdict::undecided;
-  outcome.own_value = fmt::format("Euler {}, Runge-Kutta {}; {} of {} methods have their order",
-                                  low, high, nominal, all.size());
+  outcome.verdict = nominal == all.size() ? ClaimVerdict::holds : ClaimVerdict::undecided;
+  outcome.finding = {"Euler {}, Runge-Kutta {}; {} of {} methods have their order",
+                     {to_decimals("order of Euler's method", low, 2),
+                      to_decimals("order of the Runge-Kutta formula, equal steps", high, 2),
+                      counted("methods with their order", static_cast<long long>(nominal)),
+                      counted("methods", std::ssize(all))}};
   outcome.summary =
       "Each method's error against the exact motion falls at its nominal order, before rounding "
       "and "

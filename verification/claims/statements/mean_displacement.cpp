@@ -98,9 +98,11 @@ Outcome evaluate() {
       (stiffness * VectorXd::Ones(samples)).cwiseAbs().maxCoeff() / stiffness.cwiseAbs().maxCoeff();
   const bool is_as_expected = zero_mean_left < 1e-4 && moved_left > mean / 2;
   return {
-      is_as_expected ? Verdict::depends_on_definition : Verdict::undecided,
-      fmt::format("complete for a displacement of mean zero; of one with mean {} there remains {}",
-                  mean, number(moved_left)),
+      is_as_expected ? ClaimVerdict::depends_on_definition : ClaimVerdict::undecided,
+      {"complete for a displacement of mean zero; of one with mean {} there remains {}",
+       {to_decimals("mean of the displacement", mean, 2),
+        to_decimals("displacement that remains of one with this mean", moved_left, 4),
+        to_decimals("displacement that remains of one with mean zero", zero_mean_left, 4)}},
       "As a shape, wherever it lies, the hoop can be restored; as a curve in its place only if the "
       "displacement has mean zero, since constants are in the null space of K.",
       {Paragraph{fmt::format(

@@ -137,9 +137,9 @@ Table normalised(Shares& shares) {
   return table;
 }
 
-Verdict verdict_of(const Shares& shares) {
-  if (shares.above == 0) return Verdict::holds;
-  return shares.below == 0 ? Verdict::does_not_hold : Verdict::depends_on_definition;
+ClaimVerdict verdict_of(const Shares& shares) {
+  if (shares.above == 0) return ClaimVerdict::holds;
+  return shares.below == 0 ? ClaimVerdict::does_not_hold : ClaimVerdict::depends_on_definition;
 }
 
 Outcome evaluate() {
@@ -149,16 +149,18 @@ Outcome evaluate() {
                       by_family(shares), by_size(shares), normalised(shares)};
   outcome.verdict = verdict_of(shares);
   const FilterBank<double> d8 = find_filter_bank<double>("db4");
-  const auto whole = [&](int levels) {
-    return 100 * off_diagonal_energy(stiffness(d8, figure_samples, levels));
+  const auto whole = [&](const std::string& name, int levels) {
+    return to_decimals("share off the diagonal, " + name,
+                       100 * off_diagonal_energy(stiffness(d8, figure_samples, levels)), 1, "%");
   };
   const double blocks = 100 * off_diagonal_energy(diagonal_blocks(stiffness(d8, figure_samples, 2),
                                                                   band_borders(figure_samples, 2)));
-  outcome.own_value = fmt::format(
-      "D8, N = {}: {:.1f} % single scale, {:.1f} % one level, {:.1f} % two, {:.1f} % all; {:.1f} % "
-      "in "
-      "the diagonal blocks of two",
-      figure_samples, whole(0), whole(1), whole(2), whole(log2_of(figure_samples)), blocks);
+  outcome.finding = {
+      "D8, N = {}: {} single scale, {} one level, {} two, {} all; {} in the diagonal blocks of two",
+      {counted("N", figure_samples), whole("single scale", 0), whole("one level", 1),
+       whole("two levels", 2), whole("all levels", log2_of(figure_samples)),
+       to_decimals("share off the diagonal, in the diagonal blocks of two levels", blocks, 1,
+                   "%")}};
   outcome.summary = fmt::format(
       "Of {} combinations of reading, family, size and levels, {} are below 15 % and {} are not. "
       "Counting the squares in the diagonal blocks alone gives less; counting the whole matrix, "

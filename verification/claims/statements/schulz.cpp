@@ -156,11 +156,13 @@ Outcome evaluate() {
     final_residual = std::max(final_residual, run.residuals.back());
   }
   Outcome outcome;
-  outcome.verdict = all_quadratic ? Verdict::holds : Verdict::undecided;
-  outcome.own_value = fmt::format(
-      "orders {:.2f} to {:.2f}; at condition number 1e8 round-off ends it after step {} at a "
-      "residual of {:.0e}",
-      lowest, highest, steps, final_residual);
+  outcome.verdict = all_quadratic ? ClaimVerdict::holds : ClaimVerdict::undecided;
+  outcome.finding = {
+      "orders {} to {}; at condition number {} round-off ends it after step {} at a residual of {}",
+      {to_decimals("lowest order", lowest, 2), to_decimals("highest order", highest, 2),
+       to_digits("largest condition number", conditions.back(), 1),
+       counted("steps at this condition number", static_cast<long long>(steps)),
+       to_digits("last residual at this condition number", final_residual, 1)}};
   outcome.summary =
       "The residual is squared in every step, for dense and sparse matrices alike. But the "
       "quadratic phase only begins after about 2 log2(condition number) steps. Round-off ends it, "

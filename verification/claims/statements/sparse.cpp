@@ -110,13 +110,15 @@ Outcome evaluate() {
              sparse_in_growth = exponent < sparse_exponent;
   Outcome outcome;
   outcome.verdict = sparse_there == sparse_in_growth
-                        ? (sparse_there ? Verdict::holds : Verdict::does_not_hold)
-                        : Verdict::depends_on_definition;
-  outcome.own_value = fmt::format(
-      "D8 and K2 at N = {}: {:.0f} to {:.0f} % of the entries are not zero; for large N their "
-      "number "
-      "grows like N^{:.2f}",
-      published_samples, 100 * range.smallest, 100 * range.largest, exponent);
+                        ? (sparse_there ? ClaimVerdict::holds : ClaimVerdict::does_not_hold)
+                        : ClaimVerdict::depends_on_definition;
+  outcome.finding = {
+      "D8 and K2 at N = {}: {} to {} of the entries are not zero; for large N their number grows "
+      "like N^{}",
+      {counted("N", published_samples),
+       to_decimals("smallest share of entries that are not zero", 100 * range.smallest, 0, "%"),
+       to_decimals("largest share of entries that are not zero", 100 * range.largest, 0, "%"),
+       to_decimals("exponent of their growth", exponent, 2)}};
   outcome.summary =
       "The non-zeros grow like N log N, so large matrices are sparse. At the size of the "
       "publication's figure the supports of the coarse functions cover the whole period, and the "

@@ -13,14 +13,12 @@ Outcome evaluate() {
   const CheckedTable table = check_table(
       read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_1.csv"));
   Outcome outcome;
-  const bool certified = table.counts().size() == 1 && table.counts().contains(Verdict::certified);
-  outcome.verdict = certified          ? Verdict::certified
-                    : table.is_right() ? Verdict::form
-                                       : Verdict::discrepant;
-  outcome.own_value = count_text(table);
+  outcome.verdict = verdict_of(table);
+  outcome.finding = count_finding(table);
   outcome.summary =
-      certified ? "Every printed decimal is the correctly rounded value of an exact fraction."
-                : "Not every printed decimal is the correctly rounded true value.";
+      outcome.verdict == ClaimVerdict::certified
+          ? "Every printed decimal is the correctly rounded value of an exact fraction."
+          : "Not every printed decimal is the correctly rounded true value.";
   outcome.evidence = {row_table(table)};
   return outcome;
 }

@@ -43,23 +43,16 @@ certified::Rational sum_of_odd_alpha(const CheckedTable& table) {
 double largest_deviation(const CheckedTable& table, Quantity quantity) {
   double largest = 0;
   for (const CheckedRow& row : table.rows) {
-    if (row.entry.quantity != quantity || row.verdict != Verdict::published_route) continue;
+    if (row.entry.quantity != quantity || row.verdict != PrintVerdict::published_route) continue;
     largest = std::max(largest, row.ulps * std::pow(10.0, -row.entry.number.decimals()));
   }
   return largest;
 }
 
-int count_of(const CheckedTable& table, Verdict verdict) {
+int count_of(const CheckedTable& table, PrintVerdict verdict) {
   const auto counts = table.counts();
   const auto found = counts.find(verdict);
   return found == counts.end() ? 0 : found->second;
-}
-
-bool every_entry_is_explained(const CheckedTable& table) {
-  return std::all_of(table.rows.begin(), table.rows.end(), [](const CheckedRow& row) {
-    return row.verdict == Verdict::certified || row.verdict == Verdict::form ||
-           row.verdict == Verdict::misprint || row.verdict == Verdict::published_route;
-  });
 }
 
 Table cause_table(const CheckedTable& table) {
@@ -82,16 +75,14 @@ Table cause_table(const CheckedTable& table) {
 Outcome evaluate() {
   const CheckedTable table = check_table(
       read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv"));
-  const int by_route = count_of(table, Verdict::published_route);
   Outcome outcome;
-  outcome.verdict = table.is_right()                                  ? Verdict::certified
-                    : by_route > 0 && every_entry_is_explained(table) ? Verdict::published_route
-                                                                      : Verdict::discrepant;
-  outcome.own_value = count_text(table);
+  outcome.verdict = verdict_of(table);
+  outcome.finding = count_finding(table);
   outcome.summary = fmt::format(
       "{} entries are not the true values but those of a named computation, {} are misprints of "
       "one edit, {} have another number of decimals than their column.",
-      by_route, count_of(table, Verdict::misprint), count_of(table, Verdict::form));
+      count_of(table, PrintVerdict::published_route), count_of(table, PrintVerdict::misprint),
+      count_of(table, PrintVerdict::form));
   const Table cause = cause_table(table);
   outcome.evidence = {
       row_table(table),

@@ -4,9 +4,8 @@
 
 namespace wavecurve::verification {
 
-/// What is true of a printed number or of a claim. The order is the order of the report.
-enum class Verdict {
-  // of a printed number
+/// What is true of one printed number. The order is the order of the report.
+enum class PrintVerdict {
   certified,         ///< proved: the print is the correctly rounded true value
   form,              ///< the right value, with more or fewer decimals than its column
   misprint,          ///< one edit turns the print into the certified rounding
@@ -14,14 +13,10 @@ enum class Verdict {
   agrees_to_digits,  ///< at least three significant digits are right
   discrepant,        ///< fewer than three
   undecided,         ///< the enclosure straddles a rounding boundary at the highest precision tried
-  // of a claim
-  holds,
-  depends_on_definition,  ///< with the figure under each reading
-  does_not_hold,
-  stand_in,  ///< the source data are lost; shown on other data, named
 };
 
-/// "certified", "published-route", "does-not-hold", ...
-std::string_view to_string(Verdict verdict);
+/// "certified", "published-route", "agrees-to-digits", ... Throws std::invalid_argument for a number
+/// that no verdict has.
+std::string_view to_string(PrintVerdict verdict);
 
 }  // namespace wavecurve::verification

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "verification/suite/claim_value.hpp"
+
+namespace wavecurve::verification {
+
+/// The form that a value has in report.json and in the blessed reference (docs/report-json.md):
+///   {"name", "number", "unit", "decimals" or "significant_digits", "tolerance", "reason"}
+/// without a reason where there is none.
+nlohmann::ordered_json to_json(const ClaimValue& value);
+
+/// The inverse. Throws nlohmann::json::exception for what is no such object.
+ClaimValue claim_value_of_json(const nlohmann::json& json);
+
+}  // namespace wavecurve::verification
