@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 
+#include "reports/figures.hpp"
 #include "verification/suite/claim.hpp"
 
 namespace wavecurve::reports {
@@ -13,7 +13,7 @@ namespace wavecurve::reports {
 /// and what draw_chart and io::write_file throw.
 struct FigureWriter {
   std::filesystem::path directory;
-  std::map<std::string, std::string> svgs = {};
+  Figures svgs = {};
 
   void operator()(const verification::Paragraph&) {}
   void operator()(const verification::Table&) {}

@@ -12,7 +12,6 @@ namespace wavecurve::reports {
 namespace {
 
 using namespace verification;
-using Figures = std::map<std::string, std::string>;
 
 /// A longer table scrolls within its own box on the screen; on paper it is printed whole.
 constexpr std::size_t rows_of_a_long_table = 16;

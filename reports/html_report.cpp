@@ -11,7 +11,6 @@ namespace wavecurve::reports {
 namespace {
 
 using namespace verification;
-using Figures = std::map<std::string, std::string>;
 
 constexpr const char* report_title = "Verification of the published numbers and claims";
 

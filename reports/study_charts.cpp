@@ -14,9 +14,6 @@ namespace {
 using namespace verification;
 using Names = std::vector<std::string>;
 
-/// What an eye does not see.
-constexpr double small_error = 0.05;
-
 /// Beyond the five line types of all charts, for as many solvers as there are.
 constexpr const char* more_lines =
     "set linetype 6 linecolor rgb \"#8a6d00\" linewidth 2 dashtype 1 pointtype 6 pointsize 0.7\n"

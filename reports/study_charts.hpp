@@ -10,6 +10,9 @@ namespace wavecurve::reports {
 
 // The charts of `wavecurve compare`, each with its numbers as a table.
 
+/// The relative error that an eye does not see.
+inline constexpr double small_error = 0.05;
+
 /// What a setting does not have in common with all of them, in few words; its shape if there is
 /// nothing.
 std::string short_name(const verification::StudySetting& setting,

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using namespace verification;
 
 constexpr const char* title = "Solvers of the equation of motion, compared";
-constexpr double small_error = 0.05;
 
 constexpr const char* conditions =
     "Rest shape the unit circle, density and stiffness 1, released at rest, t from 0 to 1; errors "

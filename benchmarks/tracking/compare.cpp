@@ -104,10 +104,6 @@ Row time_row(const BenchmarkName& benchmark, const std::vector<Block>& blocks,
   return row;
 }
 
-bool is_alarm(const Row& row) {
-  return row.verdict == Change::slower || row.verdict == Change::faster;
-}
-
 /// The second measurement decides; where it does not say the same the first was no more than noise.
 void confirm(Row& row, const Row& again) {
   const bool is_confirmed = row.verdict == again.verdict;

@@ -20,6 +20,11 @@ struct Row {
   std::string note = {};  ///< data references; that an alarm was confirmed, or not
 };
 
+/// True if it says that something has become slower or faster.
+inline bool is_alarm(const Row& row) {
+  return row.verdict == Change::slower || row.verdict == Change::faster;
+}
+
 struct Comparison {
   std::string before, after;
   std::vector<Row> rows;

@@ -85,10 +85,6 @@ CompareOptions timing_options(bool is_short) {
   return options;
 }
 
-bool is_alarm(const Row& row) {
-  return row.verdict == Change::slower || row.verdict == Change::faster;
-}
-
 Check times_silent(const Build& build, bool is_short, const Say& say) {
   constexpr int rounds = 50;
   const auto names = timed_kernels(build, is_short);

@@ -14,8 +14,6 @@ struct TextEdit {
   std::size_t place;  ///< of the edit in the right text
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// If `longer` is `shorter` with one digit more: where that digit stands in it.
 std::optional<std::size_t> extra_digit(std::string_view shorter, std::string_view longer) {
   if (longer.size() != shorter.size() + 1) return std::nullopt;

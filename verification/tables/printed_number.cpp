@@ -10,8 +10,6 @@ namespace wavecurve::verification {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
   throw std::invalid_argument(excerpt(text) + " " + why);
 }

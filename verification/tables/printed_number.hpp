@@ -54,6 +54,9 @@ PrintedNumber parse_printed_number(std::string_view text);
 /// The text in quotes as a message may repeat it: short, on one line, printable.
 std::string excerpt(std::string_view text);
 
+/// '0' to '9', whatever the locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// 10^exponent.
 certified::Rational power_of_ten(int exponent);
 

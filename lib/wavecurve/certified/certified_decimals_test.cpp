@@ -85,7 +85,8 @@ std::string refusal(const char* name, const DecimalsRequest& request) {
 }
 
 TEST(CertifiedDecimals, RefuseBadInput) {
-  EXPECT_EQ(refusal("db4", {.digits = 0}), "number of significant digits is 0, but must be at least 1");
+  EXPECT_EQ(refusal("db4", {.digits = 0}),
+            "number of significant digits is 0, but must be at least 1");
   EXPECT_EQ(refusal("db4", {.p = 9}), "derivative order is 9, but must be from 0 to 8");
   EXPECT_EQ(refusal("db4", {.p = 0, .divide_by_first = true}),
             "the coefficient of index 0 is zero for the odd sum 1 of derivative orders, and "

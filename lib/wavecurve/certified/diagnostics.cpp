@@ -89,7 +89,7 @@ Ball minimum(const GramSymbol& symbol, int sign) {
   throw std::domain_error("the extremes of the Gram symbol were not enclosed");
 }
 
-bool mirrored(const Filter<Ball>& filter, int sign) {
+bool mirror_image(const Filter<Ball>& filter, int sign) {
   for (int i = 0; i < filter.size(); ++i) {
     const Ball& a = filter.taps[static_cast<std::size_t>(i)];
     const Ball& b = filter.taps[static_cast<std::size_t>(filter.size() - 1 - i)];
@@ -115,8 +115,8 @@ std::optional<RieszBounds> riesz_bounds(const FilterDefinition& definition) {
 }
 
 Symmetry symmetry(const Filter<Ball>& filter) {
-  if (mirrored(filter, 1)) return Symmetry::symmetric;
-  return mirrored(filter, -1) ? Symmetry::antisymmetric : Symmetry::none;
+  if (mirror_image(filter, 1)) return Symmetry::symmetric;
+  return mirror_image(filter, -1) ? Symmetry::antisymmetric : Symmetry::none;
 }
 
 std::pair<double, double> wavelet_support(const FilterBank<Ball>& bank) {

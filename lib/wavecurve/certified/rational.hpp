@@ -48,6 +48,8 @@ class Rational {
   }
 
   bool is_zero() const { return fmpq_is_zero(value_) != 0; }
+  /// is_zero() under the name that Ball has for it, for templates over both.
+  bool contains_zero() const { return is_zero(); }
   int sign() const { return fmpq_sgn(value_); }
   Rational abs() const { return sign() < 0 ? -*this : *this; }
   /// "p/q" in lowest terms, or "p" for an integer.

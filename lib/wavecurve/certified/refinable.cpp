@@ -26,9 +26,6 @@ Scalar moment(int d) {
   return result;
 }
 
-bool may_be_zero(const Ball& x) { return x.contains_zero(); }
-bool may_be_zero(const Rational& x) { return x.is_zero(); }
-
 /// The null vector of (R) with the scale of (S): the last equation is replaced, and checked
 /// afterwards.
 template <class Scalar>
@@ -45,7 +42,7 @@ std::vector<Scalar> solve_for_moment(SquareMatrix<Scalar> system,
   Scalar residual(0);
   for (std::size_t j = 0; solution && j < replaced.size(); ++j)
     residual += replaced[j] * (*solution)[j];
-  if (!solution || !may_be_zero(residual)) {
+  if (!solution || !residual.contains_zero()) {
     throw std::domain_error("the two-scale system for the derivative of order " +
                             std::to_string(d) + " could not be proved to have rank deficiency one");
   }

@@ -6,9 +6,6 @@ namespace wavecurve::certified {
 
 namespace {
 
-bool may_be_zero(const Ball& x) { return x.contains_zero(); }
-bool may_be_zero(const Rational& x) { return x.is_zero(); }
-
 template <class Scalar>
 Scalar sum_of_taps(const Filter<Scalar>& low) {
   Scalar sum(0);
@@ -72,7 +69,7 @@ std::vector<Relation<Scalar>> filter_relations(const FilterBank<Scalar>& bank, c
 
 std::optional<Relation<Ball>> violated_relation(const FilterBank<Ball>& bank) {
   for (Relation<Ball>& relation : filter_relations(bank, sqrt(Ball(2)))) {
-    if (!may_be_zero(relation.residual)) return relation;
+    if (!relation.residual.contains_zero()) return relation;
   }
   return std::nullopt;
 }
@@ -80,13 +77,13 @@ std::optional<Relation<Ball>> violated_relation(const FilterBank<Ball>& bank) {
 bool satisfies_relations(const FilterBank<Rational>& bank, const Rational& sum) {
   const auto relations = filter_relations(bank, sum);
   return std::all_of(relations.begin(), relations.end(),
-                     [](const auto& relation) { return may_be_zero(relation.residual); });
+                     [](const auto& relation) { return relation.residual.contains_zero(); });
 }
 
 template <class Scalar>
 int zeros_at_pi(const Filter<Scalar>& low) {
   int count = 0;
-  while (count < low.size() - 1 && may_be_zero(alternating_moment(low, count))) ++count;
+  while (count < low.size() - 1 && alternating_moment(low, count).contains_zero()) ++count;
   return count;
 }
 

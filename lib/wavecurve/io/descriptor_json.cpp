@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* format_name = "wavecurve-descriptor";
-constexpr int version = 1;
+constexpr const char* descriptor_format = "wavecurve-descriptor";
+constexpr int descriptor_version = 1;
 
 // Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few lines.
 
@@ -124,7 +124,7 @@ ViewBox view_box_of(const json& value) {
 }
 
 Descriptor descriptor_of(const json& document) {
-  check_kind(document, format_name, version);
+  check_kind(document, descriptor_format, descriptor_version);
   Descriptor descriptor;
   DescriptorOptions& options = descriptor.options;
   descriptor.filter = document.at("filter").get<std::string>();
@@ -155,7 +155,7 @@ std::string descriptor_json(const Descriptor& descriptor) {
   return fmt::format(
       R"({{
   "format": "{}",
-  "version": {},
+  "descriptor_version": {},
   "filter": {},
   "samples": {},
   "levels": {},
@@ -167,7 +167,7 @@ std::string descriptor_json(const Descriptor& descriptor) {
   ]
 }}
 )",
-      format_name, version, quoted(descriptor.filter), options.samples, options.levels,
+      descriptor_format, descriptor_version, quoted(descriptor.filter), options.samples, options.levels,
       options.mode == SampleMode::interpolate ? "interpolate" : "samples",
       options.corners == Corners::kept ? "kept" : "ignored", box.x, box.y, box.width, box.height,
       fmt::join(layers, ",\n"));

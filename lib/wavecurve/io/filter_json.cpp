@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& defect) {
+[[noreturn]] void refuse_filter(const std::filesystem::path& path, const std::string& defect) {
   throw std::invalid_argument(path.string() + ": " + defect);
 }
 
@@ -69,10 +69,10 @@ UserFilter read_filter_json(const std::filesystem::path& path) {
     return user_filter_of(json::parse(text), path.stem().string());
   } catch (const json::exception& error) {
     constexpr std::size_t shown = 120;
-    refuse(path,
+    refuse_filter(path,
            std::string("not a filter in JSON: ") + std::string(error.what()).substr(0, shown));
   } catch (const std::invalid_argument& error) {
-    refuse(path, error.what());
+    refuse_filter(path, error.what());
   }
 }
 

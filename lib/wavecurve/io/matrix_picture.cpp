@@ -19,12 +19,12 @@ namespace {
 constexpr Eigen::Index largest_grid = 256;
 constexpr int shades = 48;
 constexpr int decades_shown = 12;
-constexpr double side = 512;  ///< of the longer edge of the matrix, in user units
+constexpr double picture_side = 512;  ///< of the longer edge of the matrix, in user units
 constexpr double left = 72, top = 64, bar_width = 18;
 
 /// Shade 1 .. shades, light to dark: a cubehelix (D. A. Green, 2011), whose luminance is linear by
 /// construction.
-std::string colour(int shade) {
+std::string entry_colour(int shade) {
   const double light = 0.93 - 0.88 * (shade - 1) / (shades - 1);
   const double angle = 2 * std::numbers::pi * (0.5 / 3 + 1 - 0.9 * light);
   const double amplitude = 1.1 * light * (1 - light) / 2;
@@ -87,7 +87,7 @@ std::string draw_cells(const Eigen::MatrixXd& cells, const Scale& scale) {
   }
   std::string svg;
   for (const auto& [shade, path] : paths) {
-    svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", colour(shade), path);
+    svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", entry_colour(shade), path);
   }
   return svg;
 }
@@ -136,7 +136,7 @@ std::string draw_colour_bar(const Scale& scale, std::string_view quantity, doubl
   for (int shade = 1; shade <= shades; ++shade) {
     svg +=
         fmt::format("<rect y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
-                    height - step * shade, bar_width, step + (shade > 1 ? 0.3 : 0), colour(shade));
+                    height - step * shade, bar_width, step + (shade > 1 ? 0.3 : 0), entry_colour(shade));
   }
   const int decades = static_cast<int>(scale.highest - scale.lowest);
   const int stride = (decades + 5) / 6;
@@ -162,7 +162,7 @@ std::string matrix_picture(const Eigen::SparseMatrix<double>& matrix,
   const Eigen::Index cell = (longer + largest_grid - 1) / largest_grid;
   const Eigen::MatrixXd cells = cells_of(matrix, cell);
   const Scale scale = scale_of(cells);
-  const double unit = side / static_cast<double>(longer);
+  const double unit = picture_side / static_cast<double>(longer);
   const double width = unit * static_cast<double>(matrix.cols());
   const double height = unit * static_cast<double>(matrix.rows());
 

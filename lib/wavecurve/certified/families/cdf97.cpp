@@ -29,7 +29,7 @@ FilterBank<Ball> cdf97_bank(const std::string& name) {
   return bank;
 }
 
-std::optional<FilterDefinition> define(std::string_view name) {
+std::optional<FilterDefinition> define_cdf97(std::string_view name) {
   if (name != "cdf9.7") return std::nullopt;
   FilterDefinition definition;
   definition.name = name;
@@ -42,7 +42,7 @@ std::optional<FilterDefinition> define(std::string_view name) {
 }  // namespace
 
 Family cdf97_family() {
-  return {"cdf9.7 (alias bior4.4)", {"cdf9.7"}, {{"bior4.4", "cdf9.7"}}, define};
+  return {"cdf9.7 (alias bior4.4)", {"cdf9.7"}, {{"bior4.4", "cdf9.7"}}, define_cdf97};
 }
 
 }  // namespace wavecurve::certified

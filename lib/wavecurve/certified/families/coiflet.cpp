@@ -23,7 +23,7 @@ namespace wavecurve::certified {
 
 namespace {
 
-constexpr int highest_order = 17;
+constexpr int highest_coiflet_order = 17;
 
 class CoifletSystem {
  public:
@@ -131,15 +131,15 @@ FilterBank<Ball> coiflet_bank(const std::string& name, int order) {
   return orthonormal_bank(name, system.mask(*f), 2 * order);
 }
 
-std::optional<FilterDefinition> define(std::string_view name) {
-  return define_by_order("coif", name, 1, highest_order, coiflet_bank);
+std::optional<FilterDefinition> define_coiflet(std::string_view name) {
+  return define_by_order("coif", name, 1, highest_coiflet_order, coiflet_bank);
 }
 
 }  // namespace
 
 Family coiflet_family() {
-  Family family{"coif1-coif17 (aliases K1-K17)", {}, {}, define};
-  for (int order = 1; order <= highest_order; ++order) {
+  Family family{"coif1-coif17 (aliases K1-K17)", {}, {}, define_coiflet};
+  for (int order = 1; order <= highest_coiflet_order; ++order) {
     const std::string name = "coif" + std::to_string(order);
     family.members.push_back(name);
     family.aliases.emplace_back("K" + std::to_string(order), name);

@@ -48,7 +48,7 @@ FilterBank<Ball> spline_bank(const std::string& name, int order, int dual_order)
   return bank;
 }
 
-std::optional<FilterDefinition> define(std::string_view name) {
+std::optional<FilterDefinition> define_spline(std::string_view name) {
   const auto orders = spline_orders(name);
   if (!orders) return std::nullopt;
   FilterDefinition definition;
@@ -65,7 +65,7 @@ std::optional<FilterDefinition> define(std::string_view name) {
 }  // namespace
 
 Family spline_family() {
-  Family family{"bsplineD.E (orders 1 .. 100, D + E even)", {}, {}, define, false};
+  Family family{"bsplineD.E (orders 1 .. 100, D + E even)", {}, {}, define_spline, false};
   for (int order = 1; order <= highest_listed_order; ++order) {
     for (int dual = 2 - order % 2; dual <= highest_listed_order; dual += 2) {
       family.members.push_back("bspline" + std::to_string(order) + "." + std::to_string(dual));

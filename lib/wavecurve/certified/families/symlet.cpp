@@ -26,7 +26,7 @@ namespace wavecurve::certified {
 
 namespace {
 
-constexpr int lowest_order = 2, highest_order = 20;
+constexpr int lowest_order = 2, highest_symlet_order = 20;
 constexpr std::array mirrored{4, 6, 8, 10, 17, 18};
 constexpr long decision_bits = 128;
 
@@ -121,8 +121,8 @@ FilterBank<Ball> symlet_bank(const std::string& name, int order) {
   return orthonormal_bank(name, {0, low}, order);
 }
 
-std::optional<FilterDefinition> define(std::string_view name) {
-  auto definition = define_by_order("sym", name, lowest_order, highest_order, symlet_bank);
+std::optional<FilterDefinition> define_symlet(std::string_view name) {
+  auto definition = define_by_order("sym", name, lowest_order, highest_symlet_order, symlet_bank);
   if (definition) definition->exact = halfband_autocorrelations(*number_after("sym", name));
   return definition;
 }
@@ -130,8 +130,8 @@ std::optional<FilterDefinition> define(std::string_view name) {
 }  // namespace
 
 Family symlet_family() {
-  Family family{"sym2-sym20", {}, {}, define};
-  for (int order = lowest_order; order <= highest_order; ++order) {
+  Family family{"sym2-sym20", {}, {}, define_symlet};
+  for (int order = lowest_order; order <= highest_symlet_order; ++order) {
     family.members.push_back("sym" + std::to_string(order));
   }
   return family;

@@ -12,7 +12,7 @@ namespace wavecurve::io {
 
 namespace {
 
-constexpr double side = 160;  ///< of the longer edge of a frame, in user units
+constexpr double sheet_side = 160;  ///< of the longer edge of a frame, in user units
 constexpr double gap = 16, caption = 22;
 
 /// As many columns as make the last row full, if one number not far from square does.
@@ -31,7 +31,7 @@ std::string animation_sheet(const motion::Animation& animation, const OutputOpti
   const AnimatedControlPoints points = control_points(animation, options.tolerance);
   const ViewBox& box = animation.view_box;
   const Decimals decimals = Decimals::for_box(box, options.accuracy);
-  const double scale = side / std::max(box.width, box.height);
+  const double scale = sheet_side / std::max(box.width, box.height);
   const double width = scale * box.width, height = scale * box.height;
   const int columns = columns_of(options.frames);
   const int rows = (options.frames + columns - 1) / columns;

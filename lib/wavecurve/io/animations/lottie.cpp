@@ -103,7 +103,7 @@ std::string paint_property(const motion::AnimatedLayer& layer, const Target& tar
   return property(times, values, target, in_brackets);
 }
 
-std::string colour(const Colour& value) {
+std::string lottie_colour(const Colour& value) {
   const Decimals share(4);
   return fmt::format("[{},{},{},1]", share.text(value.red), share.text(value.green),
                      share.text(value.blue));
@@ -116,7 +116,7 @@ std::string fill(const motion::AnimatedLayer& layer, const Target& target) {
   if (!first.fill) return "";
   return fmt::format(
       "{{\"ty\":\"fl\",\"c\":{},\"o\":{},\"r\":{}}},",
-      paint_property(layer, target, false, [](const Paint& p) { return colour(*p.fill); }),
+      paint_property(layer, target, false, [](const Paint& p) { return lottie_colour(*p.fill); }),
       paint_property(layer, target, true, [](const Paint& p) { return percent(p.fill_opacity); }),
       first.fill_rule == FillRule::evenodd ? 2 : 1);
 }
@@ -125,7 +125,7 @@ std::string stroke(const motion::AnimatedLayer& layer, const Target& target) {
   if (!layer.paint.front().paint.stroke) return "";
   return fmt::format(
       "{{\"ty\":\"st\",\"c\":{},\"o\":{},\"w\":{},\"lc\":2,\"lj\":2}},",
-      paint_property(layer, target, false, [](const Paint& p) { return colour(*p.stroke); }),
+      paint_property(layer, target, false, [](const Paint& p) { return lottie_colour(*p.stroke); }),
       paint_property(layer, target, true, [](const Paint& p) { return percent(p.stroke_opacity); }),
       paint_property(layer, target, true, [&](const Paint& p) {
         return target.decimals.text(p.stroke_width * target.scale);

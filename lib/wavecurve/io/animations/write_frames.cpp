@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& folder, int error) {
+[[noreturn]] void cannot_write_folder(const fs::path& folder, int error) {
   throw std::system_error(error, std::generic_category(), "cannot write " + folder.string());
 }
 
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 class FolderBeside {
  public:
   explicit FolderBeside(const fs::path& target) : name_(target.string() + ".XXXXXX") {
-    if (::mkdtemp(name_.data()) == nullptr) fail(target, errno);
+    if (::mkdtemp(name_.data()) == nullptr) cannot_write_folder(target, errno);
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::chmod(name_.c_str(), 0777 & ~mask);
@@ -47,10 +47,11 @@ class FolderBeside {
 /// Whether there is a folder; one that holds anything but frames, or no folder at all, is refused.
 bool replaces_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return false;
-  if (!fs::is_directory(folder)) fail(folder, ENOTDIR);
+  if (!fs::is_directory(folder)) cannot_write_folder(folder, ENOTDIR);
   const std::regex frame("frame-[0-9]+\\.png");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!std::regex_match(entry.path().filename().string(), frame)) fail(folder, ENOTEMPTY);
+    if (!std::regex_match(entry.path().filename().string(), frame))
+      cannot_write_folder(folder, ENOTEMPTY);
   }
   return true;
 }
@@ -70,7 +71,7 @@ void write_frames(const fs::path& folder, const motion::Animation& animation,
   std::error_code error;
   if (replaces) fs::remove_all(target, error);
   if (!error) fs::rename(beside.path(), target, error);
-  if (error) fail(target, error.value());
+  if (error) cannot_write_folder(target, error.value());
 }
 
 }  // namespace wavecurve::io

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(int error, const std::string& message) {
+[[noreturn]] void cannot_write_video(int error, const std::string& message) {
   throw std::system_error(error, std::generic_category(), message);
 }
 
@@ -37,7 +37,8 @@ namespace fs = std::filesystem;
 class TemporaryFolder {
  public:
   TemporaryFolder() : name_((fs::temp_directory_path() / "wavecurve-video-XXXXXX").string()) {
-    if (::mkdtemp(name_.data()) == nullptr) fail(errno, "cannot make a folder " + name_);
+    if (::mkdtemp(name_.data()) == nullptr)
+      cannot_write_video(errno, "cannot make a folder " + name_);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -58,7 +59,7 @@ class Ffmpeg {
   Ffmpeg(std::vector<std::string> arguments, const fs::path& complaints) {
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-      fail(errno, "cannot make a socket for ffmpeg");
+      cannot_write_video(errno, "cannot make a socket for ffmpeg");
     }
     input_ = ends[0];
     posix_spawn_file_actions_t actions;
@@ -75,7 +76,7 @@ class Ffmpeg {
     ::close(ends[1]);
     if (error != 0) {
       ::close(input_);
-      fail(error, "cannot run ffmpeg, which .gif, .mp4 and .webm need");
+      cannot_write_video(error, "cannot run ffmpeg, which .gif, .mp4 and .webm need");
     }
   }
   Ffmpeg(const Ffmpeg&) = delete;
@@ -186,7 +187,8 @@ void write_video(const fs::path& path, const motion::Animation& animation,
     // Its complaint is more telling than that it reads no more, and is looked at below.
     ffmpeg.write(over_background(raster, options.background));
   });
-  if (!ffmpeg.finish()) fail(EIO, "ffmpeg failed: " + first_line(folder / "complaints"));
+  if (!ffmpeg.finish())
+    cannot_write_video(EIO, "ffmpeg failed: " + first_line(folder / "complaints"));
   write_file(path, read_file(folder / "video"));
 }
 

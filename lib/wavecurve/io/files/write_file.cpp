@@ -11,7 +11,7 @@ namespace wavecurve::io {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
   throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
@@ -19,21 +19,21 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(path, errno);
+    if (written < 0) cannot_write(path, errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
 }
 
 void write_directly(const std::filesystem::path& path, std::string_view bytes) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path, errno);
+  if (descriptor < 0) cannot_write(path, errno);
   try {
     write_all(descriptor, bytes, path);
   } catch (...) {
     ::close(descriptor);
     throw;
   }
-  if (::close(descriptor) != 0) fail(path, errno);
+  if (::close(descriptor) != 0) cannot_write(path, errno);
 }
 
 /// The permissions that a plain open() would give a new file, or those of the file replaced.
@@ -48,11 +48,11 @@ mode_t target_mode(const std::filesystem::path& path) {
 void write_and_rename(const std::filesystem::path& path, std::string_view bytes) {
   std::string temporary = path.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) fail(path, errno);
+  if (descriptor < 0) cannot_write(path, errno);
   try {
     write_all(descriptor, bytes, path);
-    if (::fchmod(descriptor, target_mode(path)) != 0) fail(path, errno);
-    if (::fsync(descriptor) != 0) fail(path, errno);
+    if (::fchmod(descriptor, target_mode(path)) != 0) cannot_write(path, errno);
+    if (::fsync(descriptor) != 0) cannot_write(path, errno);
   } catch (...) {
     ::close(descriptor);
     ::unlink(temporary.c_str());
@@ -61,7 +61,7 @@ void write_and_rename(const std::filesystem::path& path, std::string_view bytes)
   if (::close(descriptor) != 0 || ::rename(temporary.c_str(), path.c_str()) != 0) {
     const int error = errno;
     ::unlink(temporary.c_str());
-    fail(path, error);
+    cannot_write(path, error);
   }
 }
 

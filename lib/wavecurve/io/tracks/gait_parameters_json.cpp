@@ -20,10 +20,10 @@ namespace {
 using Eigen::Index;
 using nlohmann::json;
 
-constexpr const char* format_name = "wavecurve-gait";
-constexpr int version = 1;
+constexpr const char* parameters_format = "wavecurve-gait";
+constexpr int parameters_version = 1;
 
-// Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few lines.
+// Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few json_lines.
 
 std::string number_text(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
@@ -83,7 +83,7 @@ std::string quality_text(const gait::FitQuality& quality) {
 }
 
 template <class Items, class Text>
-std::string lines(const Items& items, Text text) {
+std::string json_lines(const Items& items, Text text) {
   std::vector<std::string> texts;
   for (const auto& item : items) texts.push_back(text(item));
   return fmt::format("{}", fmt::join(texts, ",\n"));
@@ -194,7 +194,7 @@ gait::FitQuality quality_of(const json& object) {
 }
 
 gait::GaitParameters parameters_of(const json& document) {
-  check_kind(document, format_name, version);
+  check_kind(document, parameters_format, parameters_version);
   gait::GaitParameters parameters;
   parameters.period = number(document, "period");
   parameters.facing = number(document, "facing");
@@ -238,7 +238,7 @@ std::string gait_parameters_json(const gait::GaitParameters& parameters) {
   return fmt::format(
       R"({{
   "format": "{}",
-  "version": {},
+  "parameters_version": {},
   "period": {},
   "facing": {},
   "stride": {},
@@ -259,10 +259,10 @@ std::string gait_parameters_json(const gait::GaitParameters& parameters) {
   ]
 }}
 )",
-      format_name, version, parameters.period, parameters.facing, parameters.stride,
-      quoted(parameters.filter), parameters.samples, parameters.scale, paths_text(parameters.limbs),
-      paths_text(parameters.subcycles), lines(parameters.gammas, gammas_text),
-      lines(parameters.quality, quality_text));
+      parameters_format, parameters_version, parameters.period, parameters.facing,
+      parameters.stride, quoted(parameters.filter), parameters.samples, parameters.scale,
+      paths_text(parameters.limbs), paths_text(parameters.subcycles),
+      json_lines(parameters.gammas, gammas_text), json_lines(parameters.quality, quality_text));
 }
 
 gait::GaitParameters read_gait_parameters(const std::filesystem::path& path) {

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t absent = std::string_view::npos, most_limbs = 100;
 
 template <class... Values>
-[[noreturn]] void refuse(fmt::format_string<Values...> form, Values&&... values) {
+[[noreturn]] void refuse_table(fmt::format_string<Values...> form, Values&&... values) {
   throw std::invalid_argument(fmt::format(form, std::forward<Values>(values)...));
 }
 
@@ -61,7 +61,8 @@ struct Columns {
     const std::pair<std::size_t, std::string_view> needed[] = {
         {frame, "frame"}, {limb, "limb"}, {std::min(k, joint), "k or joint"}, {x, "x"}, {y, "y"}};
     for (const auto& [column, name] : needed) {
-      if (column == absent) refuse("line {}: '{}' has no column {}", line, shown(header), name);
+      if (column == absent)
+        refuse_table("line {}: '{}' has no column {}", line, shown(header), name);
     }
   }
 
@@ -94,16 +95,16 @@ class TableReader {
     }
     const auto cells = csv_fields(line, columns_->separator);
     if (cells.size() != columns_->count) {
-      refuse("line {}: '{}' has {} entries, the header has {}", number, shown(line), cells.size(),
-             columns_->count);
+      refuse_table("line {}: '{}' has {} entries, the header has {}", number, shown(line),
+                   cells.size(), columns_->count);
     }
     add(cells, number);
   }
 
   TrackTable finish() {
     if (frames_.size() < 2) {
-      refuse("{} frame{} of the limbs to be read; at least 2 are needed", frames_.size(),
-             frames_.size() == 1 ? "" : "s");
+      refuse_table("{} frame{} of the limbs to be read; at least 2 are needed", frames_.size(),
+                   frames_.size() == 1 ? "" : "s");
     }
     for (const std::string& limb : wanted_) {
       if (std::find(names_.begin(), names_.end(), limb) == names_.end()) {
@@ -122,14 +123,15 @@ class TableReader {
   static double number_in(std::string_view text, int line) {
     const auto value = parse_number(text);
     if (!value || std::abs(*value) > largest_coordinate) {
-      refuse("line {}: '{}' is no number within +-{:g}", line, shown(text), largest_coordinate);
+      refuse_table("line {}: '{}' is no number within +-{:g}", line, shown(text),
+                   largest_coordinate);
     }
     return *value;
   }
 
   void add(const std::vector<std::string>& cells, int line) {
     const std::string& name = cells[columns_->limb];
-    if (name.empty()) refuse("line {}: the limb has no name", line);
+    if (name.empty()) refuse_table("line {}: the limb has no name", line);
     if (!wanted_.empty() && std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) {
       return;
     }
@@ -138,8 +140,8 @@ class TableReader {
     if (columns_->time != absent) {
       const double time = number_in(cells[columns_->time], line);
       if (frame.time.value_or(time) != time) {
-        refuse("line {}: time {} of frame {}, which is {} in line {}", line, time,
-               cells[columns_->frame], *frame.time, frame.line);
+        refuse_table("line {}: time {} of frame {}, which is {} in line {}", line, time,
+                     cells[columns_->frame], *frame.time, frame.line);
       }
       frame.time = time;
     }
@@ -157,7 +159,7 @@ class TableReader {
 
   void note(const std::string& name, int line) {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
-    if (names_.size() == most_limbs) refuse("line {}: more than {} limbs", line, most_limbs);
+    if (names_.size() == most_limbs) refuse_table("line {}: more than {} limbs", line, most_limbs);
     names_.push_back(name);
   }
 
@@ -167,8 +169,8 @@ class TableReader {
     for (const auto& [number, frame] : frames_) {
       times[i] = frame.time.value_or(number);
       if (i > 0 && !(times[i] > times[i - 1])) {
-        refuse("line {}: time {} of frame {} does not exceed {}, that of the frame before",
-               frame.line, times[i], number, times[i - 1]);
+        refuse_table("line {}: time {} of frame {} does not exceed {}, that of the frame before",
+                     frame.line, times[i], number, times[i - 1]);
       }
       ++i;
     }
@@ -183,8 +185,8 @@ class TableReader {
     for (Eigen::Index i = 0; i < last; ++i) {
       // Half a step: rounding is far below it, a missing frame above.
       if (steps[i] > 1.5 * step) {
-        refuse("frame {} is missing: after {} comes {}; uneven frames need a column t",
-               numbers[i] + step, numbers[i], numbers[i + 1]);
+        refuse_table("frame {} is missing: after {} comes {}; uneven frames need a column t",
+                     numbers[i] + step, numbers[i], numbers[i + 1]);
       }
     }
   }
@@ -195,7 +197,7 @@ class TableReader {
     for (auto& [number, frame] : frames_) {
       const auto found = frame.limbs.find(name);
       if (found == frame.limbs.end()) {
-        refuse("limb {} is not in frame {}, but in others; it must be in all", name, number);
+        refuse_table("limb {} is not in frame {}, but in others; it must be in all", name, number);
       }
       std::vector<Entry>& entries = found->second;
       if (!first) first = &entries;
@@ -218,13 +220,14 @@ class TableReader {
     std::stable_sort(entries.begin(), entries.end(), before);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (entries[i].k != static_cast<double>(i)) {
-        refuse("line {}: k is {} in limb {}, frame {}, but must be {}: 0, 1, 2, ... once each",
-               entries[i].line, entries[i].k, limb, frame, i);
+        refuse_table(
+            "line {}: k is {} in limb {}, frame {}, but must be {}: 0, 1, 2, ... once each",
+            entries[i].line, entries[i].k, limb, frame, i);
       }
     }
     if (entries.size() < 4) {
-      refuse("line {}: limb {} has {} points in frame {}; at least 4 are needed",
-             entries.front().line, limb, entries.size(), frame);
+      refuse_table("line {}: limb {} has {} points in frame {}; at least 4 are needed",
+                   entries.front().line, limb, entries.size(), frame);
     }
   }
 
@@ -232,19 +235,20 @@ class TableReader {
   static void sort_joints(std::vector<Entry>& entries, const std::vector<Entry>& first,
                           std::string_view limb, double frame) {
     if (entries.size() < 2) {
-      refuse("line {}: limb {} has 1 joint; at least 2 are needed", entries.front().line, limb);
+      refuse_table("line {}: limb {} has 1 joint; at least 2 are needed", entries.front().line,
+                   limb);
     }
     if (entries.size() != first.size()) {
-      refuse("line {}: limb {} has {} joints in frame {}, but {} in the first frame",
-             entries.front().line, limb, entries.size(), frame, first.size());
+      refuse_table("line {}: limb {} has {} joints in frame {}, but {} in the first frame",
+                   entries.front().line, limb, entries.size(), frame, first.size());
     }
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(i);
       const auto found = std::find_if(
           begin, entries.end(), [&](const Entry& entry) { return entry.joint == first[i].joint; });
       if (found == entries.end()) {
-        refuse("line {}: joint {} of limb {} is not once in frame {}, as in the first frame",
-               entries.front().line, first[i].joint, limb, frame);
+        refuse_table("line {}: joint {} of limb {} is not once in frame {}, as in the first frame",
+                     entries.front().line, first[i].joint, limb, frame);
       }
       std::iter_swap(begin, found);
     }

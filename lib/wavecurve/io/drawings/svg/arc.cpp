@@ -12,8 +12,7 @@ namespace wavecurve::io {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double largest_step = pi / 24;
+constexpr double largest_step = std::numbers::pi / 24;
 
 double angle_of(const Eigen::Vector2d& point) { return std::atan2(point.y(), point.x()); }
 
@@ -30,7 +29,7 @@ void append_arc(PathBuilder& path, const Ellipse& ellipse, double from, double s
       std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / largest_step - 1e-9)));
   const double step = sweep / pieces, reach = 4.0 / 3 * std::tan(step / 4);
   const auto tangent = [&](double angle) -> Eigen::Vector2d {
-    return ellipse.at(angle + pi / 2) - ellipse.centre;
+    return ellipse.at(angle + std::numbers::pi / 2) - ellipse.centre;
   };
   for (int i = 0; i < pieces; ++i) {
     const double begin = from + sweep * i / pieces, end = from + sweep * (i + 1) / pieces;
@@ -44,7 +43,7 @@ void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double
   const Eigen::Vector2d from = path.current();
   if (from == to) return;
   if (radii.x() == 0 || radii.y() == 0) return path.line_to(to);
-  Ellipse ellipse{(from + to) / 2, radii.cwiseAbs(), rotation * pi / 180};
+  Ellipse ellipse{(from + to) / 2, radii.cwiseAbs(), rotation * std::numbers::pi / 180};
   const Eigen::Rotation2Dd back(-ellipse.rotation);
 
   // Where the ellipse is the unit circle, its centre at the origin, the ends are half and -half
@@ -66,8 +65,8 @@ void append_endpoint_arc(PathBuilder& path, const Eigen::Vector2d& radii, double
 
   const double begin = angle_of(half - shift);
   double sweep = angle_of(-half - shift) - begin;
-  if (clockwise && sweep < 0) sweep += 2 * pi;
-  if (!clockwise && sweep > 0) sweep -= 2 * pi;
+  if (clockwise && sweep < 0) sweep += 2 * std::numbers::pi;
+  if (!clockwise && sweep > 0) sweep -= 2 * std::numbers::pi;
   if (!ellipse.centre.allFinite() || !std::isfinite(sweep)) {
     throw std::invalid_argument(
         fmt::format("an arc of radii {:g} and {:g} to ({:g}, {:g}) has no centre", radii.x(),

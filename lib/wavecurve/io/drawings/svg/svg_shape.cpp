@@ -16,7 +16,6 @@ namespace wavecurve::io {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double pi = std::numbers::pi;
 
 /// Reads the lengths among the attributes of a shape.
 struct Lengths {
@@ -48,7 +47,7 @@ void draw_ellipse(PathBuilder& path, const Vector2d& centre, const Vector2d& rad
   if (!(radii.minCoeff() > 0)) return;
   const Ellipse ellipse{centre, radii};
   path.move_to(ellipse.at(0));
-  append_arc(path, ellipse, 0, 2 * pi);
+  append_arc(path, ellipse, 0, 2 * std::numbers::pi);
   path.move_end(ellipse.at(0));
   path.close();
 }
@@ -70,7 +69,7 @@ void draw_rectangle(PathBuilder& path, const Lengths& lengths, const Viewport& v
     const Vector2d at = corner + corners[i].cwiseProduct(size);
     const Vector2d inward = Vector2d::Ones() - 2 * corners[i];
     const Ellipse ellipse{at + inward.cwiseProduct(radii), radii};
-    const double from = (i - 1) * pi / 2;
+    const double from = (i - 1) * std::numbers::pi / 2;
     if (!round) {
       if (i < 3) path.line_to(at);
       continue;
@@ -78,7 +77,7 @@ void draw_rectangle(PathBuilder& path, const Lengths& lengths, const Viewport& v
     if ((path.current() - ellipse.at(from)).norm() > 1e-14 * size.norm()) {
       path.line_to(ellipse.at(from));
     }
-    append_arc(path, ellipse, from, pi / 2);
+    append_arc(path, ellipse, from, std::numbers::pi / 2);
   }
   path.close();
 }

@@ -137,7 +137,8 @@ struct TransformEvents {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-[[noreturn]] void refuse(std::string_view text, std::size_t position, std::string_view defect) {
+[[noreturn]] void refuse_text(std::string_view text, std::size_t position,
+                              std::string_view defect) {
   constexpr std::size_t shown = 16;
   throw std::invalid_argument(fmt::format("{} after {} characters, at '{}'", defect, position,
                                           text.substr(position, shown)));
@@ -155,7 +156,8 @@ void refuse_long_numbers(std::string_view text) {
     const bool exponent =
         begin > sign && (text[begin - sign - 1] == 'e' || text[begin - sign - 1] == 'E');
     const std::size_t most = exponent ? most_exponent_digits : most_digits;
-    if (i - begin > most) refuse(text, begin, fmt::format("more than {} digits in a row", most));
+    if (i - begin > most)
+      refuse_text(text, begin, fmt::format("more than {} digits in a row", most));
   }
 }
 
@@ -172,7 +174,8 @@ void parse(std::string_view text, Events& events, std::string_view expected,
                         typename Grammar::skipper_type()) ||
       position != end) {
     const auto reached = static_cast<std::size_t>(position - text.data());
-    refuse(text.substr(prefix), std::max(reached, prefix) - prefix, fmt::format("no {}", expected));
+    refuse_text(text.substr(prefix), std::max(reached, prefix) - prefix,
+                fmt::format("no {}", expected));
   }
 }
 
