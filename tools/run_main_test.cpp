@@ -29,7 +29,7 @@ TEST_F(ExitCodes, OfWhatIsNoInput) {
         "gait synthesize no.json a.svg -o b.svg", "gait show no.json",
         "bench compare no.json no.json", "bench check no", "bench self-test no", "bench peers no",
         "bench record no", "bench history --history no", "verify --only no"}) {
-    expect_refusal(command, "no");
+    expect_refusal(command, "wavecurve: ");
   }
 }
 
