@@ -8,8 +8,8 @@ usage='usage: tools/bench.sh record|compare|self-test|check|history|peers [argum
   self-test [--short]    tries whether the tracking is silent and finds what it must
   check [--bless]        instruction counts and accuracy against benchmarks/baseline/, or blesses them
   history, peers         write pages with charts: over the records, and beside other libraries
-Exit codes: 0 no regression, 1 a regression or the build failed, 2 bad usage, 3 the environment
-failed, 4 inconclusive, 5 records of different machines. docs/how-to-read-benchmarks.md says more.'
+Exit codes: 0 no regression, 1 a regression, 2 bad usage, 3 the environment or a build failed,
+4 inconclusive, 5 records of different machines. docs/how-to-read-benchmarks.md says more.'
 
 case ${1-} in
   --help | -h)
@@ -54,6 +54,6 @@ case $1 in
   self-test) targets+=(kernel_benchmark slowed_5 slowed_20 slowed_100) ;;
   check) targets+=(kernel_benchmark) ;;
 esac
-(build "${targets[@]}") || exit 1
+(build "${targets[@]}") || exit 3
 # From where the user stands, for paths among the arguments.
 exec "$root/build/release/bin/$program" bench "$@"

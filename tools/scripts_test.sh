@@ -73,6 +73,17 @@ fake npm 'echo "npm called: $*"; mkdir node_modules'
 expect 0 'npm called: ci' on_the_machine "$project/tools/test.sh"
 fake npm 'echo "npm called again"; exit 1'
 expect 0 'ctest called: --preset debug' on_the_machine "$project/tools/test.sh" --preset debug
+
+# What cannot be built is no regression and no other verdict.
+unbuilt=$machine/unbuilt
+mkdir -p "$unbuilt/tools"
+cp "$tools/bench.sh" "$tools/verify.sh" "$unbuilt/tools"
+printf '#!/usr/bin/env bash\n' >"$unbuilt/tools/install_dependencies.sh"
+chmod +x "$unbuilt/tools/install_dependencies.sh"
+fake cmake 'echo "cmake called: $*"; exit 1'
+expect 3 'cmake called: --preset release' on_the_machine "$unbuilt/tools/verify.sh"
+expect 3 'cmake called: --preset release' on_the_machine "$unbuilt/tools/bench.sh" compare HEAD
+fake cmake 'echo "cmake called: $*"'
 echo 'another lock' >"$project/tools/browser_tests/package-lock.json"
 expect 3 'npm called again' on_the_machine "$project/tools/test.sh"
 rm "$machine/chromium" "$machine/npm"

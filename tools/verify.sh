@@ -5,7 +5,7 @@ set -euo pipefail
 usage='usage: tools/verify.sh [arguments of "wavecurve verify"]
 Installs what is missing (apt), builds build/release/bin/wavecurve and runs its verify command, which
 writes reports/latest/index.html; "tools/verify.sh --list" names the claims. Exit codes: 0 as blessed,
-1 a verdict differs or the build failed, 2 bad usage, 3 the environment failed.'
+1 a verdict differs, 2 bad usage, 3 the environment or the build failed.'
 
 case ${1-} in
   --help | -h)
@@ -32,6 +32,6 @@ build() {
 }
 
 "$root/tools/install_dependencies.sh" program
-(build) || exit 1
+(build) || exit 3
 # From where the user stands, for paths among the arguments.
 step "$root/build/release/bin/wavecurve" verify "$@"

@@ -138,6 +138,11 @@ void keep(const fs::path& tree, const std::vector<std::string>& chosen, const fs
 }  // namespace
 
 Build build_revision(const fs::path& root, const std::string& revision, Programs programs) {
+  if (!fs::exists(root / ".git")) {
+    throw std::invalid_argument("'" + (revision.empty() ? "." : revision) +
+                                "' is no record and no folder with programs, and " + root.string() +
+                                " is no clone whose revisions could be built");
+  }
   const fs::path folder = fs::absolute(root) / "build" / "bench";
   fs::create_directories(folder);
   const Lock lock(folder / "lock");

@@ -75,6 +75,13 @@ TEST_F(BuildTest, BuildsRevisionsAndTheWorkingTree) {
   EXPECT_EQ(result(before), 0);
 }
 
+TEST_F(BuildTest, LeavesAFolderThatIsNoCloneAsItIs) {
+  fs::remove_all(root_ / ".git");
+  EXPECT_THROW(build_revision(root_, "HEAD", Programs::all), std::invalid_argument);
+  EXPECT_THROW(build_revision(root_, "", Programs::all), std::invalid_argument);
+  EXPECT_FALSE(fs::exists(root_ / "build"));
+}
+
 TEST_F(BuildTest, RefusesWhatItCannotBuild) {
   EXPECT_THROW(build_revision(root_, "no-such", Programs::all), std::invalid_argument);
   EXPECT_THROW(build_revision(root_, "--all", Programs::all), std::invalid_argument);

@@ -2,6 +2,7 @@
 # Each library is an export set of its own, so that a user of the numerics needs neither FLINT nor libxml2.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wavecurve)
 
 install(TARGETS wavecurve EXPORT wavecurve-targets)

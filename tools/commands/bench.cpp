@@ -11,6 +11,7 @@
 #include "benchmarks/tracking/compare.hpp"
 #include "benchmarks/tracking/make_record.hpp"
 #include "benchmarks/tracking/self_testing.hpp"
+#include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
@@ -19,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace tracking;
-
-const fs::path root = WAVECURVE_SOURCE_DIR;
 
 /// One line that is written over and over where someone watches; else one a step.
 void say(const std::string& what) {
@@ -40,7 +39,7 @@ Side side_of(const std::string& name, Programs programs) {
   }
   if (name != "." && fs::is_directory(path)) return {name, build_in(path), {}};
   say("building " + (name == "." ? "the working tree" : name));
-  Build build = build_revision(root, name == "." ? "" : name, programs);
+  Build build = build_revision(clone(), name == "." ? "" : name, programs);
   return {build.name + " (" + build.revision["commit"].get<std::string>().substr(0, 10) + ")",
           build,
           {}};
@@ -50,7 +49,7 @@ struct RecordArguments {
   std::string revision = ".";
   RecordOptions options;
   bool only_counts = false, only_kernels = false;
-  fs::path history = root / "benchmarks" / "history";
+  fs::path history;
 };
 
 void run_record(RecordArguments arguments) {
@@ -60,7 +59,8 @@ void run_record(RecordArguments arguments) {
   if (!side.build) throw std::invalid_argument("'" + arguments.revision + "' is a record already");
   arguments.options.is_timed = !arguments.only_counts;
   const Json record = make_record(*side.build, arguments.options, say);
-  const fs::path path = append_record(arguments.history, record);
+  const fs::path path =
+      append_record(given_or_of_clone(arguments.history, "benchmarks/history"), record);
   stop_saying();
   fmt::print("recorded {}: {} marked kernels, {} benchmarks, in {}\n", side.name,
              record.value("kernels", Json::object()).size(),
@@ -83,9 +83,10 @@ void add_record(CLI::App& bench) {
   command->add_flag("--only-kernels", arguments->only_kernels,
                     "Time the marked kernels, not the other programs");
   command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing");
-  command->add_option("--history", arguments->history, "Folder of the records")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      ->add_option("--history", arguments->history,
+                   "Folder of the records; benchmarks/history of the clone if not given")
+      ->type_name("DIR");
   command->callback([arguments] { run_record(*arguments); });
 }
 
@@ -146,12 +147,13 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
   });
 }
 
-/// The programs of the build that this one is of.
-const fs::path own_folder = root / "build" / "release" / "bin";
+Build given_build(const fs::path& folder) {
+  return build_in(given_or_of_clone(folder, "build/release/bin"));
+}
 
 ExitCode run_self_test(const fs::path& build, bool is_short) {
   bool is_passed = true;
-  for (const Check& check : self_test(build_in(build), is_short, say)) {
+  for (const Check& check : self_test(given_build(build), is_short, say)) {
     stop_saying();
     fmt::print("{}  {}\n        {}\n", check.is_passed ? "ok    " : "FAILED", check.what,
                check.found);
@@ -161,17 +163,20 @@ ExitCode run_self_test(const fs::path& build, bool is_short) {
 }
 
 void add_self_test(CLI::App& bench, ExitCode& exit_code) {
-  auto build = std::make_shared<fs::path>(own_folder);
+  auto build = std::make_shared<fs::path>();
   auto is_short = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
       "self-test", "Try whether the tracking is silent where nothing changed, and finds what did");
-  command->add_option("build", *build, "Folder with kernel_benchmark and its slowed copies");
+  command->add_option(
+      "build", *build,
+      "Folder with kernel_benchmark and its slowed copies; build/release/bin of the clone if "
+      "not given");
   command->add_flag("--short", *is_short, "Within two minutes: fewer kernels, fewer blocks");
   command->callback([=, &exit_code] { exit_code = run_self_test(*build, *is_short); });
 }
 
 struct CheckArguments {
-  fs::path build = own_folder, baseline = root / "benchmarks" / "baseline" / "counts.json";
+  fs::path build, baseline;
   bool bless = false, all = false;
 };
 
@@ -179,7 +184,7 @@ struct CheckArguments {
 void bless(const CheckArguments& arguments) {
   Json record = {
       {"schema", record_schema}, {"date", date_now()}, {"revision", {{"commit", "build"}}}};
-  record.update(measure_counts(build_in(arguments.build)));
+  record.update(measure_counts(given_build(arguments.build)));
   if (!record.contains("kernels")) {
     throw std::runtime_error("nothing to bless: valgrind does not run here");
   }
@@ -193,7 +198,7 @@ ExitCode run_check(const CheckArguments& arguments) {
   CompareOptions options;
   options.is_timed = false;
   const Side baseline{"the blessed record", {}, read_record(arguments.baseline)};
-  const Side now{"this build", build_in(arguments.build), {}};
+  const Side now{"this build", given_build(arguments.build), {}};
   try {
     const Comparison comparison = compare(baseline, now, options, say);
     stop_saying();
@@ -213,13 +218,16 @@ void add_check(CLI::App& bench, ExitCode& exit_code) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = bench.add_subcommand(
       "check", "Instruction counts and accuracy of a build against the blessed record");
-  command->add_option("build", arguments->build, "Folder with kernel_benchmark");
-  command->add_option("--baseline", arguments->baseline, "The blessed record")
-      ->type_name("FILE")
-      ->capture_default_str();
+  command->add_option("build", arguments->build,
+                      "Folder with kernel_benchmark; build/release/bin of the clone if not given");
+  command
+      ->add_option("--baseline", arguments->baseline,
+                   "The blessed record; benchmarks/baseline/counts.json of the clone if not given")
+      ->type_name("FILE");
   command->add_flag("--bless", arguments->bless, "Make this build's record the blessed one");
   command->add_flag("--all", arguments->all, "Show also what is the same");
   command->callback([arguments, &exit_code] {
+    arguments->baseline = given_or_of_clone(arguments->baseline, "benchmarks/baseline/counts.json");
     if (arguments->bless) {
       bless(*arguments);
     } else {

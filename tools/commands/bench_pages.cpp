@@ -8,6 +8,7 @@
 
 #include "benchmarks/pages/history_page.hpp"
 #include "benchmarks/pages/peers_page.hpp"
+#include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace wavecurve::tools {
@@ -17,22 +18,29 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tracking;
 
-const fs::path root = WAVECURVE_SOURCE_DIR;
+/// Writes NAME.html, and says so.
+void write(const reports::Page& page, const fs::path& given, const std::string& name) {
+  const fs::path folder = given_or_of_clone(given, "reports/latest");
+  reports::write_page(page, folder, name);
+  fmt::print("page: {}\n", (folder / (name + ".html")).string());
+}
 
 void add_history(CLI::App& bench) {
-  auto history = std::make_shared<fs::path>(root / "benchmarks" / "history");
-  auto output = std::make_shared<fs::path>(root / "reports" / "latest");
+  auto history = std::make_shared<fs::path>();
+  auto output = std::make_shared<fs::path>();
   CLI::App* command =
       bench.add_subcommand("history", "Charts over the records, change points marked, as a page");
-  command->add_option("--history", *history, "Folder of the records")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command->add_option("-o,--output", *output, "Folder of history.html")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      ->add_option("--history", *history,
+                   "Folder of the records; benchmarks/history of the clone if not given")
+      ->type_name("DIR");
+  command
+      ->add_option("-o,--output", *output,
+                   "Folder of history.html; reports/latest of the clone if not given")
+      ->type_name("DIR");
   command->callback([=] {
-    reports::write_page(history_page(read_history(*history)), *output, "history");
-    fmt::print("page: {}\n", (*output / "history.html").string());
+    write(history_page(read_history(given_or_of_clone(*history, "benchmarks/history"))), *output,
+          "history");
   });
 }
 
@@ -43,22 +51,26 @@ void say(const std::string& what) {
 }
 
 void add_peers(CLI::App& bench) {
-  auto build = std::make_shared<fs::path>(root / "build" / "release" / "bin");
-  auto output = std::make_shared<fs::path>(root / "reports" / "latest");
+  auto build = std::make_shared<fs::path>();
+  auto output = std::make_shared<fs::path>();
   auto options = std::make_shared<PeersOptions>();
   CLI::App* command = bench.add_subcommand(
       "peers", "This library beside GSL, PyWavelets, mpmath, SUNDIALS and Odeint, as a page");
-  command->add_option("build", *build, "Folder with all benchmark programs");
+  command->add_option("build", *build,
+                      "Folder with all benchmark programs; build/release/bin of the clone if not "
+                      "given");
   command->add_option("--blocks", options->blocks, "Ours, peer, peer, ours, of each pair")
       ->check(CLI::Range(6, 1000))
       ->capture_default_str();
-  command->add_option("-o,--output", *output, "Folder of peers.html")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      ->add_option("-o,--output", *output,
+                   "Folder of peers.html; reports/latest of the clone if not given")
+      ->type_name("DIR");
   command->callback([=] {
-    reports::write_page(peers_page(build_in(*build), root, *options, say), *output, "peers");
+    const Build programs = build_in(given_or_of_clone(*build, "build/release/bin"));
+    const reports::Page page = peers_page(programs, clone(), *options, say);
     say("");
-    fmt::print("page: {}\n", (*output / "peers.html").string());
+    write(page, *output, "peers");
   });
 }
 

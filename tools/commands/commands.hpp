@@ -6,12 +6,22 @@ namespace wavecurve::tools {
 
 /// The exit codes of the command line.
 enum ExitCode {
-  done = 0,                ///< done, and as expected
-  differs = 1,             ///< done, and something differs from what is blessed or demanded
-  bad_input = 2,           ///< bad usage or bad input
-  environment_failed = 3,  ///< disk full, missing program
-  inconclusive = 4,        ///< bench: noise leaves it open whether something differs
-  machines_differ = 5,     ///< bench: what is to be compared comes from different machines
+  done = 0,
+  differs = 1,
+  bad_input = 2,
+  environment_failed = 3,
+  inconclusive = 4,
+  machines_differ = 5,
+};
+
+/// What they mean, for the manual and the README.
+constexpr const char* exit_code_meanings[] = {
+    "done, and as expected",
+    "done, and something differs from what is blessed or demanded",
+    "bad usage or bad input",
+    "the environment failed: disk full, missing program",
+    "bench: noise leaves it open whether something differs",
+    "bench: what is to be compared comes from different machines",
 };
 
 // One function a subcommand, each in a file of its name. A command's callback writes its exit code

@@ -1,16 +1,19 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/decimal_enclosure.hpp"
 #include "wavecurve/certified/diagnostics.hpp"
 #include "wavecurve/certified/refine.hpp"
+#include "wavecurve/certified/families/families.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/io/load_filter.hpp"
@@ -28,6 +31,7 @@ using nlohmann::ordered_json;
 
 struct Options {
   std::string name;
+  bool list = false;
   int digits = 40;
   std::string format = "text";
 };
@@ -165,7 +169,31 @@ std::string as_text(const FilterDefinition& definition, const std::vector<NamedF
   return text;
 }
 
+/// Every family with what it says of its names, and its members with their aliases.
+std::string list_of_filters() {
+  std::string text;
+  for (const certified::Family& family : certified::families()) {
+    text += fmt::format("{}{}\n", text.empty() ? "" : "\n", family.names);
+    for (const std::string& member : family.members) {
+      std::vector<std::string> aliases;
+      for (const auto& [alias, name] : family.aliases) {
+        if (name == member) aliases.push_back(alias);
+      }
+      text += aliases.empty() ? fmt::format("  {}\n", member)
+                              : fmt::format("  {:<12}{}\n", member, fmt::join(aliases, ", "));
+    }
+  }
+  return text;
+}
+
 void run(const Options& options) {
+  if (options.list) {
+    std::fputs(list_of_filters().c_str(), stdout);
+    return;
+  }
+  if (options.name.empty()) {
+    throw std::invalid_argument("filter: a NAME is required (wavecurve filter --list names them)");
+  }
   const FilterDefinition definition = io::load_filter(options.name);
   const auto filters = rounded_filters(definition, options.digits);
   std::string text;
@@ -181,8 +209,8 @@ void run(const Options& options) {
 void add_filter_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("filter", "Print a filter bank, correctly rounded");
-  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
-      ->required();
+  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
+  command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop");
   add_digits_option(*command, options->digits);
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
   command->callback([options] { run(*options); });

@@ -1,5 +1,8 @@
+#include <regex>
+
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/certified/families/families.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
@@ -24,6 +27,27 @@ TEST_F(FilterCommand, JsonHoldsEveryTapCorrectlyRounded) {
   EXPECT_EQ(document["diagnostics"]["vanishing_moments"], 4);
   EXPECT_EQ(document["diagnostics"]["riesz_bounds"],
             json::parse(R"(["1.000000000", "1.000000000"])"));
+}
+
+TEST_F(FilterCommand, ListsEveryFilterAndAlias) {
+  const ProgramRun list = wavecurve("filter --list");
+  EXPECT_EQ(list.exit_code, 0);
+  const auto has_line = [&](const std::string& line) {
+    return ("\n" + list.out).find("\n" + line + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(has_line("  db4         D8")) << list.out;
+  EXPECT_TRUE(has_line("  coif2       K2")) << list.out;
+  for (const certified::Family& family : certified::families()) {
+    EXPECT_TRUE(has_line(family.names)) << family.names;
+    for (const auto& [alias, name] : family.aliases) {
+      EXPECT_TRUE(std::regex_search(
+          list.out, std::regex("\n  " + name + " +([^\n]*, )?" + alias + "(,[^\n]*)?\n")))
+          << alias;
+    }
+  }
+  for (const std::string& name : certified::filter_names()) {
+    EXPECT_TRUE(std::regex_search(list.out, std::regex("\n  " + name + "( [^\n]*)?\n"))) << name;
+  }
 }
 
 TEST_F(FilterCommand, ItsJsonIsAFilterFileAgain) {

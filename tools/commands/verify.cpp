@@ -17,6 +17,7 @@
 #include "reports/write_report.hpp"
 #include "tools/commands/commands.hpp"
 #include "verification/suite/claim.hpp"
+#include "verification/suite/data_folder.hpp"
 #include "verification/suite/reference.hpp"
 #include "verification/suite/run_claims.hpp"
 
@@ -31,14 +32,26 @@ struct VerifyOptions {
   std::vector<std::string> only;
   bool list = false;
   bool bless = false;
-  fs::path output;
-  fs::path reference = fs::path(WAVECURVE_SOURCE_DIR) / "reports" / "reference" / "verdicts.json";
+  fs::path output, reference;
 };
 
-/// Beside the reference in a source tree, else where the user stands.
-fs::path default_output() {
-  const fs::path reports = fs::path(WAVECURVE_SOURCE_DIR) / "reports";
-  return fs::is_directory(reports) ? reports / "latest" : fs::path("report");
+/// What the user did not name: in the source tree, or of an installed program the report where the
+/// user stands and the reference among the program's data.
+VerifyOptions completed(VerifyOptions options) {
+  const fs::path tree = source_tree();
+  if (tree.empty() && options.bless && options.reference.empty()) {
+    throw std::invalid_argument(
+        "--bless: the reference of an installed program is fixed; name a file of your own by "
+        "--reference, or bless in a clone by tools/verify.sh --bless");
+  }
+  if (options.output.empty()) {
+    options.output = tree.empty() ? fs::path("wavecurve-report") : tree / "reports" / "latest";
+  }
+  if (options.reference.empty()) {
+    options.reference =
+        (tree.empty() ? data_folder() : tree / "reports") / "reference" / "verdicts.json";
+  }
+  return options;
 }
 
 std::vector<Claim> chosen_claims(const std::vector<std::string>& only) {
@@ -87,7 +100,8 @@ void print_changes(const std::vector<Change>& changes, const fs::path& reference
   }
 }
 
-void verify(const VerifyOptions& options, ExitCode& exit_code) {
+void verify(const VerifyOptions& given, ExitCode& exit_code) {
+  const VerifyOptions options = completed(given);
   const std::vector<Claim> chosen = chosen_claims(options.only);
   const bool is_partial = !options.only.empty();
   const auto reference =
@@ -117,18 +131,20 @@ void verify(const VerifyOptions& options, ExitCode& exit_code) {
 
 void add_verify_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<VerifyOptions>();
-  options->output = default_output();
   CLI::App* command = app.add_subcommand(
       "verify", "Hold every table, figure and claim of the publication against own values");
   command->add_option("--only", options->only, "Run only these claims")->type_name("ID");
   command->add_flag("--list", options->list, "Name the claims and stop");
-  command->add_option("--output", options->output, "Directory of the report")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command
+      ->add_option("--output", options->output,
+                   "Folder of the report; if not given, reports/latest of the source tree that the "
+                   "program was built in, or wavecurve-report here if it is installed")
+      ->type_name("DIR");
   command->add_flag("--bless", options->bless, "Make this run's verdicts and values the reference");
-  command->add_option("--reference", options->reference, "File of the blessed verdicts")
-      ->type_name("FILE")
-      ->capture_default_str();
+  command
+      ->add_option("--reference", options->reference,
+                   "File of the blessed verdicts; the program's own if not given")
+      ->type_name("FILE");
   command->callback([options, &exit_code] {
     if (options->list) {
       list_claims();

@@ -1,16 +1,15 @@
 #include "verification/stand_ins/example_contour.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/io/drawings/read_drawing.hpp"
+
+#include "verification/stand_ins/example_drawing.hpp"
 
 namespace wavecurve::verification {
 
 Contour example_contour(std::string_view file_name, Eigen::Index samples) {
-  const auto path = std::filesystem::path(WAVECURVE_EXAMPLES_DIR) / file_name;
-  const Drawing drawing = io::read_drawing(path).drawing;
+  const Drawing drawing = example_drawing(file_name);
   return sample_contour(drawing.layers.at(0).subpaths.at(0), samples);
 }
 

@@ -1,7 +1,6 @@
 #include "verification/stand_ins/example_gait.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -11,12 +10,13 @@
 #include "wavecurve/motion/gait/model/fit_subcycles.hpp"
 
 #include "verification/stand_ins/example_drawing.hpp"
+#include "verification/suite/data_folder.hpp"
 
 namespace wavecurve::verification {
 
 const gait::LimbTracks& example_walk() {
   static const gait::LimbTracks walk =
-      io::read_limb_tracks({std::filesystem::path(WAVECURVE_EXAMPLES_DIR) / "dog-walk.csv"});
+      io::read_limb_tracks({data_folder() / "examples" / "dog-walk.csv"});
   return walk;
 }
 

@@ -13,6 +13,7 @@
 
 #include "wavecurve/io/files/write_file.hpp"
 
+#include "verification/suite/data_folder.hpp"
 #include "verification/tables/print_form.hpp"
 #include "verification/tables/true_value.hpp"
 
@@ -26,7 +27,7 @@ CheckedTable check(const std::string& rows) {
 }
 
 CheckedTable published(const std::string& name) {
-  return check_table(read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / name));
+  return check_table(read_published_table(data_folder() / "published" / name));
 }
 
 std::string refusal(const std::string& rows) {
@@ -90,8 +91,7 @@ TEST(CheckTable, Table2CameByARoute) {
 }
 
 TEST(CheckTable, FindsTheRouteOfTable2WithoutItsAlphaColumn) {
-  PublishedTable table =
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv");
+  PublishedTable table = read_published_table(data_folder() / "published" / "table_2.csv");
   std::erase_if(table.entries, [](const PublishedEntry& entry) {
     return entry.quantity == Quantity::autocorrelation;
   });
@@ -207,11 +207,9 @@ TEST(CheckTable, FindsTheRouteOfTapsFromTheirFirstIndexOn) {
 }
 
 TEST(CheckTable, KeepsTheAlphaOfEveryFilterApart) {
-  PublishedTable both =
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv");
+  PublishedTable both = read_published_table(data_folder() / "published" / "table_2.csv");
   const auto of_k2 = static_cast<std::ptrdiff_t>(both.entries.size());
-  const PublishedTable d8 =
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_1.csv");
+  const PublishedTable d8 = read_published_table(data_folder() / "published" / "table_1.csv");
   both.entries.insert(both.entries.end(), d8.entries.begin(), d8.entries.end());
   const CheckedTable alone = published("table_2.csv"), together = check_table(both);
   EXPECT_TRUE(std::equal(
@@ -220,8 +218,7 @@ TEST(CheckTable, KeepsTheAlphaOfEveryFilterApart) {
 }
 
 TEST(CheckTable, TriesNoRouteFromAnAlphaColumnWithGaps) {
-  PublishedTable table =
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv");
+  PublishedTable table = read_published_table(data_folder() / "published" / "table_2.csv");
   const auto tries_printed_alpha = [&table] {
     const CheckedTable checked = check_table(table);
     const auto& routes = checked.columns[1].routes;

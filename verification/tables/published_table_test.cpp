@@ -1,10 +1,11 @@
 #include "verification/tables/published_table.hpp"
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "verification/suite/data_folder.hpp"
 
 namespace wavecurve::verification {
 namespace {
@@ -23,7 +24,7 @@ std::string refusal(const std::string& text) {
 
 TEST(PublishedTable, ReadsTheTablesOfThePublication) {
   for (const auto& [name, rows] : {std::pair{"table_1.csv", 24}, {"table_2.csv", 36}}) {
-    const auto table = read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / name);
+    const auto table = read_published_table(data_folder() / "published" / name);
     EXPECT_EQ(table.entries.size(), static_cast<std::size_t>(rows));
     EXPECT_TRUE(table.title.starts_with("Table ")) << table.title;
     EXPECT_FALSE(table.source.empty());

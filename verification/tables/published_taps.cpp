@@ -7,6 +7,7 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 
+#include "verification/suite/data_folder.hpp"
 #include "verification/tables/published_table.hpp"
 
 namespace wavecurve::verification {
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> tap_tables() {
   std::vector<fs::path> paths;
-  std::error_code unreadable;  // an installed program has no such folder; then there are no tables
-  for (const auto& file : fs::directory_iterator(WAVECURVE_PUBLISHED_DIR, unreadable)) {
+  for (const auto& file : fs::directory_iterator(data_folder() / "published")) {
     const std::string name = file.path().filename().string();
     if (name.starts_with("taps_") && name.ends_with(".csv")) paths.push_back(file.path());
   }

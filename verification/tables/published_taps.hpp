@@ -14,7 +14,7 @@ struct PublishedTaps {
   Eigen::VectorXd taps;
 };
 
-/// Looks through the files taps_*.csv of verification/published, tables of the checker's form.
+/// Looks through the files taps_*.csv of published/ (data_folder.hpp), tables of the checker's form.
 /// Nothing if none lists every tap of the filter (canonical name). To add one, add a file.
 std::optional<PublishedTaps> find_published_taps(std::string_view filter);
 

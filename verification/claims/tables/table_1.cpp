@@ -1,7 +1,6 @@
 // Table 1: alpha, mu/mu_0 and nu/nu_0 of D8. Each print is held against the exact fraction.
-#include <filesystem>
-
 #include "verification/suite/claim.hpp"
+#include "verification/suite/data_folder.hpp"
 #include "verification/tables/check_table.hpp"
 #include "verification/tables/table_evidence.hpp"
 
@@ -11,7 +10,7 @@ namespace {
 
 Outcome evaluate() {
   const CheckedTable table = check_table(
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_1.csv"));
+      read_published_table(data_folder() / "published" / "table_1.csv"));
   Outcome outcome;
   outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);

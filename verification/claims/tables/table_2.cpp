@@ -2,13 +2,13 @@
 // value; the computation that the wrong ones came from is searched for, and its cause measured.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "wavecurve/operators/two_scale_system.hpp"
 
 #include "verification/suite/claim.hpp"
+#include "verification/suite/data_folder.hpp"
 #include "verification/tables/check_table.hpp"
 #include "verification/tables/published_taps.hpp"
 #include "verification/tables/routes.hpp"
@@ -74,7 +74,7 @@ Table cause_table(const CheckedTable& table) {
 
 Outcome evaluate() {
   const CheckedTable table = check_table(
-      read_published_table(std::filesystem::path(WAVECURVE_PUBLISHED_DIR) / "table_2.csv"));
+      read_published_table(data_folder() / "published" / "table_2.csv"));
   Outcome outcome;
   outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);

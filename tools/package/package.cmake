@@ -1,0 +1,32 @@
+# cpack: a Debian package, whose dependencies are what the program is linked with (dpkg-shlibdeps), and an archive
+# that may be unpacked anywhere.
+set(maintainer "The wavecurve authors <maintainers@wavecurve.example>")
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_NAME wavecurve)
+set(CPACK_PACKAGE_VENDOR "The wavecurve authors")
+set(CPACK_PACKAGE_CONTACT ${maintainer})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "certified wavelet operators and a check of published wavelet numerics")
+set(CPACK_PACKAGE_FILE_NAME wavecurve-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                                WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# The charts of the report; and what videos, and programs that use the library, need beside it.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "ffmpeg, libeigen3-dev, libspectra-dev, libboost-dev, libhwy-dev, libfmt-dev, libflint-dev, libflint-arb-dev, libxml2-dev, libpng-dev, zlib1g-dev")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "Filters, connection coefficients and stiffness operators of periodized
+wavelet bases, each number with a proof; solvers of the motion of elastic
+curves; wavelet descriptors, morphs and gaits of drawings.
+.
+The program verifies the tables, figures and claims of a publication of 1996,
+and writes a page with the evidence. The C++ library and its headers are
+contained.")
+include(CPack)

@@ -1,0 +1,40 @@
+#include "verification/suite/data_folder.hpp"
+
+#include <system_error>
+
+namespace wavecurve::verification {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path folder_beside(const fs::path& program) {
+  return program.parent_path().parent_path() / "share" / "wavecurve";
+}
+
+fs::path running_program() { return fs::read_symlink("/proc/self/exe"); }
+
+}  // namespace
+
+fs::path data_folder_of(const fs::path& program) {
+  const fs::path folder = folder_beside(program);
+  std::error_code error;
+  if (!fs::is_directory(folder / "published", error)) {
+    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                            "cannot find the program's data in " + folder.string());
+  }
+  return folder;
+}
+
+fs::path source_tree_of(const fs::path& program) {
+  // A link that CMake makes, and that is never installed.
+  const fs::path link = folder_beside(program) / "source";
+  std::error_code error;
+  return fs::is_directory(link, error) ? fs::read_symlink(link) : fs::path();
+}
+
+fs::path data_folder() { return data_folder_of(running_program()); }
+
+fs::path source_tree() { return source_tree_of(running_program()); }
+
+}  // namespace wavecurve::verification

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+namespace wavecurve::verification {
+
+/// The folder of the data that the programs read: published/ (tables as they are printed),
+/// examples/ (drawings and a walk) and reference/ (the blessed verdicts). It is share/wavecurve
+/// beside the folder of the running program, so that an installed tree may stand anywhere; in a
+/// build tree links of these names lead to the sources. Throws std::system_error, naming the
+/// folder, if it is not there.
+std::filesystem::path data_folder();
+
+/// The source tree whose build tree the running program stands in; empty for an installed program.
+std::filesystem::path source_tree();
+
+/// The same of a program with this path.
+std::filesystem::path data_folder_of(const std::filesystem::path& program);
+std::filesystem::path source_tree_of(const std::filesystem::path& program);
+
+}  // namespace wavecurve::verification

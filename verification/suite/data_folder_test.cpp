@@ -1,0 +1,52 @@
+#include "verification/suite/data_folder.hpp"
+
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace wavecurve::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DataFolder : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(prefix / "share/wavecurve/published"); }
+  void TearDown() override { fs::remove_all(prefix); }
+
+  const fs::path prefix =
+      fs::temp_directory_path() / ("wavecurve_data_" + std::to_string(::getpid()));
+};
+
+TEST_F(DataFolder, OfTheTestsIsTheSourceTrees) {
+  EXPECT_TRUE(fs::is_regular_file(data_folder() / "published" / "table_1.csv"));
+  EXPECT_TRUE(fs::is_regular_file(data_folder() / "examples" / "three.svg"));
+  EXPECT_TRUE(fs::is_regular_file(data_folder() / "reference" / "verdicts.json"));
+  EXPECT_TRUE(fs::equivalent(data_folder() / "examples", source_tree() / "docs" / "examples"));
+}
+
+TEST_F(DataFolder, OfAnInstalledProgramStandsBesideIt) {
+  EXPECT_EQ(data_folder_of(prefix / "bin" / "wavecurve"), prefix / "share" / "wavecurve");
+  EXPECT_TRUE(source_tree_of(prefix / "bin" / "wavecurve").empty());
+}
+
+TEST_F(DataFolder, NamesThePlaceWhereNoDataAre) {
+  try {
+    data_folder_of(prefix / "elsewhere" / "bin" / "wavecurve");
+    FAIL() << "nothing is there";
+  } catch (const std::system_error& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find((prefix / "elsewhere/share/wavecurve").string()), std::string::npos)
+        << what;
+  }
+}
+
+TEST_F(DataFolder, OfAMovedBuildTreeKnowsNoSources) {
+  fs::create_directory_symlink(prefix / "gone", prefix / "share/wavecurve/source");
+  EXPECT_TRUE(source_tree_of(prefix / "bin" / "wavecurve").empty());
+}
+
+}  // namespace
+}  // namespace wavecurve::verification
