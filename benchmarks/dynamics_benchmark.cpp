@@ -16,8 +16,8 @@
 #include "wavecurve/dynamics/schulz_inverse.hpp"
 #include "wavecurve/dynamics/solver.hpp"
 #include "wavecurve/dynamics/stepping/coupled.hpp"
-#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
-#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
+#include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
+#include "wavecurve/dynamics/stepping/detail/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"
@@ -45,7 +45,10 @@ dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
   for (int j = 0; j < 2; ++j) transform.forward(fine.col(j), displacement.col(j), workspace);
   Eigen::VectorXd times = Eigen::VectorXd::Constant(1, 1);
   if (frames > 1) times.setLinSpaced(frames, 0, 1);
-  return {system, displacement, {}, times, {}, {}, false};
+  return {.system = system,
+          .initial_displacement = displacement,
+          .times = times,
+          .with_velocities = false};
 }
 
 double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
@@ -57,7 +60,8 @@ double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory
 void solve(benchmark::State& state, const std::string& name, double accuracy,
            dynamics::Material material) {
   const dynamics::InitialValueProblem problem = ellipse(state.range(0), 60, material);
-  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  const dynamics::Solver solver =
+      dynamics::find_solver(name).make({.tolerance = accuracy, .step = accuracy});
   dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
   state.counters["error"] = error_of(solution, dynamics::solve_spectral(problem));
@@ -73,11 +77,13 @@ void one_frame(benchmark::State& state) {
 /// As the peers are asked: the state at t = 1 alone.
 void solve_end(benchmark::State& state, const std::string& name, double accuracy) {
   const dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
-  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  const dynamics::Solver solver =
+      dynamics::find_solver(name).make({.tolerance = accuracy, .step = accuracy});
   dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
   const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
-  state.counters["error"] = (solution.displacement[0] - exact).norm() / problem.displacement.norm();
+  state.counters["error"] =
+      (solution.displacement[0] - exact).norm() / problem.initial_displacement.norm();
   state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
 }
 
@@ -107,7 +113,7 @@ Eigen::MatrixXd solve_sundials(const dynamics::InitialValueProblem& problem, Sun
   sundials::Context context;
   N_Vector y = N_VNew_Serial(4 * rows, context);
   Eigen::Map<Eigen::MatrixXd> state(N_VGetArrayPointer(y), rows, 4);
-  state << problem.displacement, Eigen::MatrixXd::Zero(rows, 2);
+  state << problem.initial_displacement, Eigen::MatrixXd::Zero(rows, 2);
   const double end = problem.times[problem.times.size() - 1];
   realtype reached = 0;
   if (method == Sundials::explicit_runge_kutta) {
@@ -149,7 +155,7 @@ void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
   long long evaluations = 0;
   for (auto _ : state) end = solve_sundials(problem, method, tolerance, evaluations);
   const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
-  state.counters["error"] = (end - exact).norm() / problem.displacement.norm();
+  state.counters["error"] = (end - exact).norm() / problem.initial_displacement.norm();
   state.counters["evaluations"] = static_cast<double>(evaluations);
 }
 
@@ -204,7 +210,7 @@ void ldlt_inverse(benchmark::State& state) {
 void fourier_solve(benchmark::State& state) {
   const Eigen::Index samples = state.range(0);
   const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples, log2_of(samples),
-                                        {1, 1, 0, 1, 1e-4, 0});
+                                        {.mass_damping = 1, .stiffness_damping = 1e-4});
   const std::unique_ptr<dynamics::ModalBasis> basis = dynamics::fourier_basis(system);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
   for (auto _ : state) {
@@ -221,7 +227,7 @@ double least(const std::vector<double>& times) {
   return *std::min_element(times.begin(), times.end());
 }
 
-const dynamics::Material undamped = {}, damped = {1, 1, 0, 0.5, 1e-3, 0};
+const dynamics::Material undamped = {}, damped = {.mass_damping = 0.5, .stiffness_damping = 1e-3};
 
 // 60 frames of N = 1024, and one of 2^20.
 BENCHMARK_CAPTURE(solve, spectral, "spectral", 1e-9, undamped)

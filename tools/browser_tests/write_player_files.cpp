@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/animations/animation_test.hpp"
-#include "wavecurve/io/animations/raster.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
-#include "wavecurve/io/files/png.hpp"
+#include "wavecurve/io/files/detail/png.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace {

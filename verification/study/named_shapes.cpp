@@ -110,9 +110,10 @@ dynamics::InitialValueProblem released(const dynamics::LagrangeSystem& system, c
     return to_coefficients(system.bank(), samples, system.levels());
   };
   const Contour circle = unit_circle(system.samples());
-  dynamics::InitialValueProblem problem{system, coefficients(shape - circle), {}, times, {}, {}};
-  problem.rest = coefficients(circle);
-  return problem;
+  return {.system = system,
+          .initial_displacement = coefficients(shape - circle),
+          .times = times,
+          .rest = coefficients(circle)};
 }
 
 int all_levels(Index samples) { return std::countr_zero(static_cast<std::uint64_t>(samples)); }

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "wavecurve/certified/thread_cache.hpp"
+#include "wavecurve/certified/detail/thread_cache.hpp"
 
 namespace wavecurve::verification {
 

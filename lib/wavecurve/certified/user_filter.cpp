@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "wavecurve/certified/relations.hpp"
+#include "wavecurve/certified/detail/relations.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
 

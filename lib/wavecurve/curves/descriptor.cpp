@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/curves/arc_length.hpp"
+#include "wavecurve/curves/detail/arc_length.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve {

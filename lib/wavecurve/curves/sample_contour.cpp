@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/curves/arc_length.hpp"
-#include "wavecurve/curves/bezier.hpp"
+#include "wavecurve/curves/detail/arc_length.hpp"
+#include "wavecurve/curves/detail/bezier.hpp"
 #include "wavecurve/curves/signed_area.hpp"
 
 namespace wavecurve {
@@ -135,8 +135,7 @@ Subpath prepared(Subpath subpath) {
   if (subpath.segments.empty()) {
     throw std::invalid_argument("the length of a contour is 0, but must be positive");
   }
-  return subpath.closed ? closed_by_line(std::move(subpath))
-                        : there_and_back(std::move(subpath));
+  return subpath.closed ? closed_by_line(std::move(subpath)) : there_and_back(std::move(subpath));
 }
 
 Contour sample(const Subpath& closed, Index samples, Corners corners) {

@@ -39,10 +39,9 @@ inline InitialValueProblem smooth_problem(const std::string& filter, Eigen::Inde
                                           const Material& material) {
   const auto levels = static_cast<int>(std::lround(std::log2(static_cast<double>(samples))));
   const LagrangeSystem system(find_filter_bank<double>(filter), samples, levels, material);
-  InitialValueProblem problem = {
-      system, coefficients_of(system, smooth_samples(samples)), {}, {}, {}, {}};
-  problem.times = Eigen::VectorXd::LinSpaced(5, 0, 1);
-  return problem;
+  return {.system = system,
+          .initial_displacement = coefficients_of(system, smooth_samples(samples)),
+          .times = Eigen::VectorXd::LinSpaced(5, 0, 1)};
 }
 
 /// The coefficients of the curve whose start point is moved by so many samples, a multiple of the

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "wavecurve/filters/detail/spline_filter.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
-#include "wavecurve/filters/spline_filter.hpp"
 
 namespace wavecurve {
 

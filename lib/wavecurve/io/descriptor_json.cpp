@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve::io {

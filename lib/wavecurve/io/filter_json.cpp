@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 
 namespace wavecurve::io {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/files/xml_escaped.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 namespace wavecurve::io {
 

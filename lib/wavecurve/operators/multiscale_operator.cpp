@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "wavecurve/operators/circulant.hpp"
-#include "wavecurve/operators/circulant_product.hpp"
+#include "wavecurve/operators/detail/circulant_product.hpp"
 #include "wavecurve/transform/detail/periodic_kernels.hpp"
 
 namespace wavecurve {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/transform/refinement_mask.hpp"
+#include "wavecurve/transform/detail/refinement_mask.hpp"
 
 namespace wavecurve {
 

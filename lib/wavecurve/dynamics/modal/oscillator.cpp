@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "wavecurve/dynamics/modal/exponential_difference.hpp"
+#include "wavecurve/dynamics/modal/detail/exponential_difference.hpp"
 
 namespace wavecurve::dynamics {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 
 namespace wavecurve::io {
 

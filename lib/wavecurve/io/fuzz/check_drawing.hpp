@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
+#include "wavecurve/io/drawings/detail/svg/tidy_outline.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
-#include "wavecurve/io/drawings/svg/tidy_outline.hpp"
 
 namespace wavecurve::io {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "wavecurve/io/fuzz/check_drawing.hpp"
-#include "wavecurve/io/tracks/track_table.hpp"
+#include "wavecurve/io/tracks/detail/track_table.hpp"
 
 namespace {
 

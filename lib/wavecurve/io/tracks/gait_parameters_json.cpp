@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 
 namespace wavecurve::io {
 

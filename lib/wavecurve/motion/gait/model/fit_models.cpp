@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/motion/gait/model/deviation_basis.hpp"
-#include "wavecurve/motion/gait/model/fit_gammas.hpp"
-#include "wavecurve/motion/gait/model/fit_oscillator.hpp"
-#include "wavecurve/motion/gait/model/fit_series.hpp"
+#include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_gammas.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_oscillator.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_series.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/motion/gait/model/deviation_basis.hpp"
+#include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
 
 namespace wavecurve::gait {
 

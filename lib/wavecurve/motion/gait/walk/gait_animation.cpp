@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/motion/gait/model/control_points.hpp"
+#include "wavecurve/motion/gait/model/detail/control_points.hpp"
+#include "wavecurve/motion/gait/walk/detail/walking_limb.hpp"
 #include "wavecurve/motion/gait/walk/synthesize_gait.hpp"
-#include "wavecurve/motion/gait/walk/walking_limb.hpp"
 
 namespace wavecurve::gait {
 

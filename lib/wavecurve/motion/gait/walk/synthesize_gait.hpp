@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/curves/drawing.hpp"
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/animation.hpp"
