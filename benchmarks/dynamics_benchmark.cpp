@@ -10,10 +10,10 @@
 #include "wavecurve/dynamics/schulz_inverse.hpp"
 #include "wavecurve/dynamics/solver.hpp"
 #include "wavecurve/dynamics/stepping/coupled.hpp"
-#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
-#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
+#include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
+#include "wavecurve/dynamics/stepping/detail/shifted_solver.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
@@ -32,7 +32,8 @@ double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory
 void solve(benchmark::State& state, const std::string& name, double accuracy,
            dynamics::Material material) {
   const dynamics::InitialValueProblem problem = ellipse(state.range(0), 60, material);
-  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  const dynamics::Solver solver =
+      dynamics::find_solver(name).make({.tolerance = accuracy, .step = accuracy});
   dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
   state.counters["error"] = error_of(solution, dynamics::solve_spectral(problem));
@@ -48,11 +49,13 @@ void one_frame(benchmark::State& state) {
 /// As the peers are asked: the state at t = 1 alone.
 void solve_end(benchmark::State& state, const std::string& name, double accuracy) {
   const dynamics::InitialValueProblem problem = ellipse(state.range(0), 1);
-  const dynamics::Solver solver = dynamics::find_solver(name).make(accuracy);
+  const dynamics::Solver solver =
+      dynamics::find_solver(name).make({.tolerance = accuracy, .step = accuracy});
   dynamics::Trajectory solution;
   for (auto _ : state) benchmark::DoNotOptimize(solution = solver(problem));
   const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
-  state.counters["error"] = (solution.displacement[0] - exact).norm() / problem.displacement.norm();
+  state.counters["error"] =
+      (solution.displacement[0] - exact).norm() / problem.initial_displacement.norm();
   state.counters["evaluations"] = static_cast<double>(solution.cost.evaluations);
 }
 
@@ -107,7 +110,8 @@ void ldlt_inverse(benchmark::State& state) {
 void fourier_solve(benchmark::State& state) {
   const Eigen::Index samples = state.range(0);
   const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
-                                        all_levels(samples), {1, 1, 0, 1, 1e-4, 0});
+                                        all_levels(samples),
+                                        {.mass_damping = 1, .stiffness_damping = 1e-4});
   const std::unique_ptr<dynamics::ModalBasis> basis = dynamics::fourier_basis(system);
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(samples, 2);
   for (auto _ : state) {
@@ -124,7 +128,7 @@ double least(const std::vector<double>& times) {
   return *std::min_element(times.begin(), times.end());
 }
 
-const dynamics::Material undamped = {}, damped = {1, 1, 0, 0.5, 1e-3, 0};
+const dynamics::Material undamped = {}, damped = {.mass_damping = 0.5, .stiffness_damping = 1e-3};
 
 // 60 frames of N = 1024, and one of 2^20.
 BENCHMARK_CAPTURE(solve, spectral, "spectral", 1e-9, undamped)

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -24,7 +24,10 @@ inline dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index 
   for (int j = 0; j < 2; ++j) transform.forward(fine.col(j), displacement.col(j), workspace);
   Eigen::VectorXd times = Eigen::VectorXd::Constant(1, 1);
   if (frames > 1) times.setLinSpaced(frames, 0, 1);
-  return {system, displacement, {}, times, {}, {}, false};
+  return {.system = system,
+          .initial_displacement = displacement,
+          .times = times,
+          .with_velocities = false};
 }
 
 }  // namespace wavecurve

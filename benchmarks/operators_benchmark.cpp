@@ -19,8 +19,8 @@
 // - The assembled matrix times a vector: 62 to 147 ns a sample, ten to twenty times as much.
 #include <benchmark/benchmark.h>
 
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
 #include "wavecurve/operators/spectrum.hpp"

@@ -42,9 +42,9 @@
 #include <gsl/gsl_wavelet.h>
 #endif
 
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {

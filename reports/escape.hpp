@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wavecurve/io/files/xml_escaped.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 namespace wavecurve::reports {
 

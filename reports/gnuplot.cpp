@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::reports {

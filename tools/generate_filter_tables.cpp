@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "wavecurve/certified/filter_table_source.hpp"
+#include "wavecurve/certified/detail/filter_table_source.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 int main(int argc, char** argv) try {

@@ -1,4 +1,5 @@
-// Every example of README.md is run again and must print what the README shows.
+// Every example of README.md is run again and must print what the README shows; its C++ program is
+// one of lib/examples.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -62,6 +63,18 @@ TEST_F(Readme, ShowsWhatTheProgramPrints) {
     }
     EXPECT_EQ(printed, expected) << command;
   }
+}
+
+/// Which is compiled, run, and held against what it says that it prints: lib/examples.
+TEST_F(Readme, ShowsAnExampleWordForWord) {
+  const std::filesystem::path source = WAVECURVE_SOURCE_DIR;
+  const std::string readme = io::read_file(source / "README.md");
+  const std::string opening = "```cpp\n";
+  const auto begin = readme.find(opening);
+  ASSERT_NE(begin, std::string::npos);
+  const auto end = readme.find("```\n", begin + opening.size());
+  EXPECT_EQ(readme.substr(begin + opening.size(), end - begin - opening.size()),
+            io::read_file(source / "lib/examples/stiffness.cpp"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/schulz_inverse.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
+#include "wavecurve/dynamics/stepping/detail/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -80,7 +80,8 @@ void add_solver(std::vector<Accuracy>& list, const std::string& name, double acc
                 const dynamics::Material& material) {
   const dynamics::InitialValueProblem problem = ellipse(64, 2, material);
   const dynamics::Trajectory exact = dynamics::solve_spectral(problem);
-  const dynamics::Trajectory solution = dynamics::find_solver(name).make(accuracy)(problem);
+  const dynamics::Trajectory solution =
+      dynamics::find_solver(name).make({.tolerance = accuracy, .step = accuracy})(problem);
   const double scale = exact.displacement.front().norm();
   list.push_back({"solver_" + name, "error",
                   (solution.displacement.back() - exact.displacement.back()).norm() / scale});
@@ -119,7 +120,7 @@ std::vector<Accuracy> measure_accuracy() {
     list.push_back({std::string("digits_") + filter, "digits", digits_proved(filter)});
   }
   add_solver(list, "coupled", 1e-6, {});
-  add_solver(list, "implicit", 1e-3, {1, 1, 0, 0.5, 1e-3, 0});
+  add_solver(list, "implicit", 1e-3, {.mass_damping = 0.5, .stiffness_damping = 1e-3});
   add_conjugate_gradients(list);
   add_schulz(list);
   return list;

@@ -3,7 +3,7 @@
 
 #include "wavecurve/dynamics/schulz_inverse.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
+#include "wavecurve/dynamics/stepping/detail/shifted_solver.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"
@@ -18,7 +18,9 @@ namespace {
 std::function<void()> solve(const std::string& solver, double accuracy, Eigen::Index samples,
                             Eigen::Index frames, const dynamics::Material& material = {}) {
   return [problem = ellipse(samples, frames, material),
-          solver = dynamics::find_solver(solver).make(accuracy)] { solver(problem); };
+          solver = dynamics::find_solver(solver).make({.tolerance = accuracy, .step = accuracy})] {
+    solver(problem);
+  };
 }
 
 /// K + G, a right-hand side without structure, and the solution to be.
@@ -72,7 +74,8 @@ double schulz_operations(Eigen::Index samples) {
 /// but it takes the transforms for sums of products, more than the rotations need.
 double counted_operations(const std::string& solver, const dynamics::InitialValueProblem& problem,
                           double accuracy) {
-  const dynamics::Trajectory trajectory = dynamics::find_solver(solver).make(accuracy)(problem);
+  const dynamics::Trajectory trajectory =
+      dynamics::find_solver(solver).make({.tolerance = accuracy, .step = accuracy})(problem);
   const auto counted =
       static_cast<double>(dynamics::SystemOperator(problem.system, 1, 1).operations()) /
       static_cast<double>(problem.system.samples());
@@ -108,7 +111,7 @@ std::vector<Kernel> dynamics_kernels() {
   Kernel coupled{"coupled_solver", 64, [](Eigen::Index n) { return solve("coupled", 1e-6, n, 2); }};
   static const double of_coupled = counted_operations("coupled", ellipse(64, 2, {}), 1e-6);
   coupled.operations = of_coupled;
-  static constexpr dynamics::Material damped{1, 1, 0, 0.5, 1e-3, 0};
+  static constexpr dynamics::Material damped{.mass_damping = 0.5, .stiffness_damping = 1e-3};
   Kernel implicit{"implicit_solver", 64,
                   [](Eigen::Index n) { return solve("implicit", 1e-2, n, 2, damped); }};
   static const double of_implicit = counted_operations("implicit", ellipse(64, 2, damped), 1e-2);

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 
 namespace wavecurve::tracking {
 

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 #include "benchmarks/kernels/kernel.hpp"
 

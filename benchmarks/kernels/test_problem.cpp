@@ -24,7 +24,10 @@ dynamics::InitialValueProblem ellipse(Eigen::Index samples, Eigen::Index frames,
   transform.forward(fine, displacement, workspace);
   Eigen::VectorXd times = Eigen::VectorXd::Constant(1, 1);
   if (frames > 1) times.setLinSpaced(frames, 0, 1);
-  return {system, displacement, {}, times, {}, {}, false};
+  return {.system = system,
+          .initial_displacement = displacement,
+          .times = times,
+          .with_velocities = false};
 }
 
 }  // namespace wavecurve::tracking

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 
 namespace wavecurve::tracking {
 

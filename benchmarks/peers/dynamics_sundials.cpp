@@ -15,7 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include "wavecurve/dynamics/modal/spectral.hpp"
-#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
+#include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
 
 #include "benchmarks/ellipse_problem.hpp"
 
@@ -48,7 +48,7 @@ Eigen::MatrixXd solve_sundials(const dynamics::InitialValueProblem& problem, Sun
   sundials::Context context;
   N_Vector y = N_VNew_Serial(4 * rows, context);
   Eigen::Map<Eigen::MatrixXd> state(N_VGetArrayPointer(y), rows, 4);
-  state << problem.displacement, Eigen::MatrixXd::Zero(rows, 2);
+  state << problem.initial_displacement, Eigen::MatrixXd::Zero(rows, 2);
   const double end = problem.times[problem.times.size() - 1];
   sunrealtype reached = 0;
   if (method == Sundials::explicit_runge_kutta) {
@@ -99,7 +99,7 @@ void sundials_peer(benchmark::State& state, Sundials method, double tolerance) {
   long long evaluations = 0;
   for (auto _ : state) end = solve_sundials(problem, method, tolerance, evaluations);
   const Eigen::MatrixXd exact = dynamics::solve_spectral(problem).displacement[0];
-  state.counters["error"] = (end - exact).norm() / problem.displacement.norm();
+  state.counters["error"] = (end - exact).norm() / problem.initial_displacement.norm();
   state.counters["evaluations"] = static_cast<double>(evaluations);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 
 namespace wavecurve::tracking {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 
 #include "benchmarks/tracking/build.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::tracking {

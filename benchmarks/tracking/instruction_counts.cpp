@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/files/run_program.hpp"
 
 #include "benchmarks/tracking/bootstrap.hpp"
 

@@ -7,7 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "wavecurve/io/files/run_program.hpp"
+#include "wavecurve/io/files/detail/run_program.hpp"
 
 #include "benchmarks/tracking/machine_fingerprint.hpp"
 

@@ -23,11 +23,12 @@ endif()
 
 # The readers in two parts: SVG's grammars, which take as long as all else, and the rest.
 set(room ${CMAKE_CURRENT_SOURCE_DIR}/wavecurve)
-file(GLOB readers CONFIGURE_DEPENDS ${room}/io/drawings/svg/*.cpp)
+file(GLOB readers CONFIGURE_DEPENDS ${room}/io/drawings/detail/svg/*.cpp)
 list(FILTER readers EXCLUDE REGEX "_test\\.cpp$|svg_values\\.cpp$")
-list(APPEND readers ${room}/io/drawings/read_points.cpp ${room}/io/tracks/track_table.cpp
-     ${room}/io/files/csv.cpp ${room}/io/files/for_each_line.cpp ${room}/io/files/text.cpp
-     ${room}/filters/bad_value.cpp)
+list(APPEND readers ${room}/io/drawings/detail/read_points.cpp ${room}/io/tracks/detail/track_table.cpp
+     ${room}/io/files/detail/csv.cpp ${room}/io/files/detail/for_each_line.cpp
+     ${room}/io/files/detail/text.cpp
+     ${room}/filters/detail/bad_value.cpp)
 list(TRANSFORM readers PREPEND "#include \"")
 list(TRANSFORM readers APPEND "\"\n")
 list(JOIN readers "" includes)
@@ -43,7 +44,7 @@ function(fuzz_object name source)
     DEPENDS ${source} DEPFILE ${fuzz_dir}/${name}.d
     COMMENT "Building the fuzzed ${name}" VERBATIM)
 endfunction()
-fuzz_object(svg_values ${room}/io/drawings/svg/svg_values.cpp)
+fuzz_object(svg_values ${room}/io/drawings/detail/svg/svg_values.cpp)
 fuzz_object(readers ${fuzz_dir}/readers.cpp)
 
 foreach(reader IN ITEMS svg csv tracks)

@@ -1,18 +1,16 @@
-# cmake --install: the three libraries, their headers, and the package that find_package(wavecurve) finds.
+# cmake --install: the three libraries, their public headers, and the package that find_package(wavecurve) finds.
 # Each library is an export set of its own, so that a user of the numerics needs neither FLINT nor libxml2.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wavecurve)
 
-install(TARGETS wavecurve EXPORT wavecurve-targets)
-install(TARGETS wavecurve_certified EXPORT wavecurve-certified-targets)
-install(TARGETS wavecurve_io EXPORT wavecurve-io-targets)
+install(TARGETS wavecurve EXPORT wavecurve-targets FILE_SET HEADERS)
+install(TARGETS wavecurve_certified EXPORT wavecurve-certified-targets FILE_SET HEADERS)
+install(TARGETS wavecurve_io EXPORT wavecurve-io-targets FILE_SET HEADERS)
 foreach(set IN ITEMS wavecurve-targets wavecurve-certified-targets wavecurve-io-targets)
   install(EXPORT ${set} NAMESPACE wavecurve:: DESTINATION ${package_dir})
 endforeach()
-install(DIRECTORY wavecurve DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "*_test.hpp" EXCLUDE PATTERN "json_values.hpp" EXCLUDE)
 
 configure_package_config_file(cmake/wavecurve-config.cmake.in wavecurve-config.cmake
                               INSTALL_DESTINATION ${package_dir})

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/animations/animation_test.hpp"
-#include "wavecurve/io/animations/png.hpp"
-#include "wavecurve/io/animations/raster.hpp"
+#include "wavecurve/io/animations/detail/png.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 

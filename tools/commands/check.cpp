@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/files/csv.hpp"
+#include "wavecurve/io/files/detail/csv.hpp"
 
 #include "tools/commands/commands.hpp"
 #include "verification/tables/check_table.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
 namespace wavecurve::tools {

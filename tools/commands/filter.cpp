@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/detail/families/families.hpp"
+#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/diagnostics.hpp"
-#include "wavecurve/certified/refine.hpp"
-#include "wavecurve/certified/families/families.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/io/load_filter.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/certified/families/families.hpp"
+#include "wavecurve/certified/detail/families/families.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"

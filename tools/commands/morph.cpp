@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/animation_sheet.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
 #include "wavecurve/io/files/write_file.hpp"

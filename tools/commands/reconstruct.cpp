@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"

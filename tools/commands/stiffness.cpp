@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
 #include "wavecurve/io/matrix_market.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/files/csv.hpp"
+#include "wavecurve/io/files/detail/csv.hpp"
 
 namespace wavecurve::tools {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/core.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 #include "reports/terminal_table.hpp"
 #include "reports/write_report.hpp"

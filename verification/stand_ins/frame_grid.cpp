@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 
 namespace wavecurve::verification {
 

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 
 namespace wavecurve::verification {
 

@@ -24,8 +24,8 @@ Matrix gram_of(const dynamics::LagrangeSystem& system) {
 /// Twice the energy of the initial state.
 double initial_square(const dynamics::InitialValueProblem& problem, const Matrix& mass,
                       const Matrix& stiffness) {
-  double sum = square(stiffness, problem.displacement);
-  if (problem.velocity.size() > 0) sum += square(mass, problem.velocity);
+  double sum = square(stiffness, problem.initial_displacement);
+  if (problem.initial_velocity.size() > 0) sum += square(mass, problem.initial_velocity);
   return sum;
 }
 
@@ -39,7 +39,7 @@ VectorXd displacement_errors(const dynamics::InitialValueProblem& problem,
                              const dynamics::Trajectory& solution,
                              const dynamics::Trajectory& exact) {
   const Matrix form = gram_of(problem.system);
-  const double unit = square(form, problem.displacement);
+  const double unit = square(form, problem.initial_displacement);
   VectorXd errors(problem.times.size());
   for (std::size_t i = 0; i < exact.displacement.size(); ++i) {
     const MatrixXd e = solution.displacement.at(i) - exact.displacement[i];
@@ -50,7 +50,7 @@ VectorXd displacement_errors(const dynamics::InitialValueProblem& problem,
 
 VectorXd maximum_errors(const dynamics::InitialValueProblem& problem,
                         const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
-  const double unit = largest_distance(problem.system, problem.displacement);
+  const double unit = largest_distance(problem.system, problem.initial_displacement);
   VectorXd errors(problem.times.size());
   for (std::size_t i = 0; i < exact.displacement.size(); ++i) {
     const MatrixXd e = solution.displacement.at(i) - exact.displacement[i];

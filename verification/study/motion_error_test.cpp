@@ -41,12 +41,12 @@ TEST(MotionError, IsTheNormOfTheCurveAndNotOfItsCoefficients) {
   const dynamics::InitialValueProblem problem = problem_of("bspline4.4");
   dynamics::Trajectory exact, other;
   for (Eigen::Index i = 0; i < problem.times.size(); ++i) {
-    exact.displacement.push_back(problem.displacement);
-    other.displacement.push_back(problem.displacement);
+    exact.displacement.push_back(problem.initial_displacement);
+    other.displacement.push_back(problem.initial_displacement);
     other.displacement.back()(17, 0) += 1;
   }
   const Eigen::MatrixXd form = gram(problem.system.bank(), 32, 5);
-  const Eigen::MatrixXd& u = problem.displacement;
+  const Eigen::MatrixXd& u = problem.initial_displacement;
   const double unit = std::sqrt((u.transpose() * form * u).trace());
   EXPECT_NEAR(displacement_errors(problem, other, exact)[2], std::sqrt(form(17, 17)) / unit,
               rounding);
@@ -56,7 +56,7 @@ TEST(MotionError, MaximumIsOfPointsAndVelocityOfTheLargest) {
   const dynamics::InitialValueProblem problem = problem_of("db4");
   const dynamics::Trajectory exact = dynamics::solve_spectral(problem);
   dynamics::Trajectory other = exact;
-  for (Eigen::MatrixXd& q : other.displacement) q += 0.5 * problem.displacement;
+  for (Eigen::MatrixXd& q : other.displacement) q += 0.5 * problem.initial_displacement;
   for (Eigen::MatrixXd& v : other.velocity) v *= 3;
   const Eigen::VectorXd maximum = maximum_errors(problem, other, exact);
   const Eigen::VectorXd velocity = velocity_errors(problem, other, exact);
@@ -74,7 +74,7 @@ TEST(MotionError, MaximumIsOfPointsAndVelocityOfTheLargest) {
 
 TEST(MotionError, EnergyDriftIsChangeUndampedAndIncreaseDamped) {
   for (const double s1 : {0.0, 2.0}) {
-    const dynamics::InitialValueProblem problem = problem_of("bspline4.4", {1, 1, 0, s1, 0, 0});
+    const dynamics::InitialValueProblem problem = problem_of("bspline4.4", {.mass_damping = s1});
     dynamics::Trajectory solution = dynamics::solve_spectral(problem);
     EXPECT_LT(energy_drift(problem, solution), 1e-10);
     if (s1 == 0) {

@@ -11,7 +11,7 @@
 
 #include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
 namespace wavecurve::verification {
@@ -108,9 +108,10 @@ dynamics::InitialValueProblem released(const dynamics::LagrangeSystem& system, c
     return to_coefficients(system.bank(), samples, system.levels());
   };
   const Contour circle = unit_circle(system.samples());
-  dynamics::InitialValueProblem problem{system, coefficients(shape - circle), {}, times, {}, {}};
-  problem.rest = coefficients(circle);
-  return problem;
+  return {.system = system,
+          .initial_displacement = coefficients(shape - circle),
+          .times = times,
+          .rest = coefficients(circle)};
 }
 
 }  // namespace wavecurve::verification

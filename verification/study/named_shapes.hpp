@@ -6,7 +6,7 @@
 
 #include "wavecurve/curves/contour.hpp"
 #include "wavecurve/dynamics/initial_value_problem.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 
 namespace wavecurve::verification {
 

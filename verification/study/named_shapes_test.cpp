@@ -57,9 +57,9 @@ TEST(Released, TakesSamplesAsCoefficientsAndStartsAtRest) {
   const Contour star = named_shape("star", samples);
   const dynamics::InitialValueProblem problem =
       released(system, star, Eigen::VectorXd::LinSpaced(3, 0, 1));
-  const Contour start = problem.rest + problem.displacement;
+  const Contour start = problem.rest + problem.initial_displacement;
   EXPECT_LT((to_samples(system.bank(), start, system.levels()) - star).norm(), 1e-12);
-  EXPECT_EQ(problem.velocity.size(), 0);
+  EXPECT_EQ(problem.initial_velocity.size(), 0);
 }
 
 }  // namespace

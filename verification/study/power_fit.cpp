@@ -7,7 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::verification {
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/certified/detail/thread_cache.hpp"
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
@@ -24,8 +25,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Of a closed form: forces, which alone would need it, are absent.
-constexpr double unused_tolerance = 1e-9;
 /// A solve is repeated within these bounds: the least time is the least disturbed.
 constexpr int most_runs = 5;
 constexpr double most_seconds = 0.1;
@@ -57,7 +56,7 @@ class Fingerprint {
 
 std::string fingerprint_of(const dynamics::InitialValueProblem& problem) {
   Fingerprint fingerprint;
-  fingerprint.add(problem.displacement);
+  fingerprint.add(problem.initial_displacement);
   fingerprint.add(problem.times);
   const dynamics::CirculantEigenvalues symbols = problem.system.eigenvalues();
   for (const VectorXd* part : {&symbols.mass, &symbols.damping, &symbols.stiffness}) {
@@ -75,7 +74,7 @@ Ground ground_of(const StudySetting& setting) {
   dynamics::InitialValueProblem problem =
       released(system, shape_of(setting.shape, setting.samples), study_times());
   // What the transform's rounding leaves of a circle is no deformation.
-  if (problem.displacement.norm() <= 1e-12 * problem.rest.norm()) {
+  if (problem.initial_displacement.norm() <= 1e-12 * problem.rest.norm()) {
     throw std::invalid_argument("shape is the unit circle, but must differ from the rest shape");
   }
   dynamics::Trajectory exact = dynamics::solve_spectral(problem);
@@ -128,8 +127,10 @@ void measure(StudyPoint& point, const Ground& ground, const dynamics::Trajectory
 /// Fills in what the solver, the tolerance and the ground determine.
 void solve(StudyPoint& point, const Ground& ground) {
   try {
+    // What the point calls its tolerance is the step size of a solver that takes one.
     const dynamics::Solver solver =
-        dynamics::find_solver(point.solver).make(point.tolerance.value_or(unused_tolerance));
+        dynamics::find_solver(point.solver)
+            .make({.tolerance = point.tolerance, .step = point.tolerance});
     const Timed run = timed(solver, ground.problem);
     measure(point, ground, run.trajectory);
     point.cost = run.trajectory.cost;
@@ -191,11 +192,11 @@ VectorXd study_times() { return VectorXd::LinSpaced(41, 0, 1); }
 
 std::vector<std::optional<double>> sweep(const dynamics::NamedSolver& solver) {
   switch (solver.accuracy) {
-    case dynamics::Accuracy::tolerance:
+    case dynamics::AccuracyKind::tolerance:
       return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
-    case dynamics::Accuracy::step:
+    case dynamics::AccuracyKind::step:
       return {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
-    case dynamics::Accuracy::closed_form:
+    case dynamics::AccuracyKind::closed_form:
       break;
   }
   return {std::nullopt};

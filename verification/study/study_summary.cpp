@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 
 #include "verification/study/named_shapes.hpp"
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "wavecurve/io/files/natural_order.hpp"
+#include "wavecurve/io/files/detail/natural_order.hpp"
 
 namespace wavecurve::verification {
 

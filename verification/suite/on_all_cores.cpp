@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "wavecurve/certified/thread_cache.hpp"
+#include "wavecurve/certified/detail/thread_cache.hpp"
 
 namespace wavecurve::verification {
 

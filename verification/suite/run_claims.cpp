@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "wavecurve/certified/detail/thread_cache.hpp"
+
 #include "verification/suite/on_all_cores.hpp"
 
 namespace wavecurve::verification {

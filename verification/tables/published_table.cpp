@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/io/files/csv.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/text.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/files/text.hpp"
 
 namespace wavecurve::verification {
 

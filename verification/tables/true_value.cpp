@@ -6,7 +6,7 @@
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
-#include "wavecurve/certified/refine.hpp"
+#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/io/load_filter.hpp"
 

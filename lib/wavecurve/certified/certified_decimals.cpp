@@ -7,9 +7,9 @@
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
-#include "wavecurve/certified/refine.hpp"
+#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {
 

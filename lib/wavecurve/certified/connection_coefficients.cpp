@@ -3,12 +3,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/refinable.hpp"
-#include "wavecurve/certified/refine.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
-#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {
 

@@ -6,8 +6,8 @@
 #include <boost/math/special_functions/daubechies_scaling.hpp>
 #include <gtest/gtest.h>
 
+#include "wavecurve/certified/detail/polynomial.hpp"
 #include "wavecurve/certified/find_filter.hpp"
-#include "wavecurve/certified/polynomial.hpp"
 
 namespace wavecurve::certified {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {
 

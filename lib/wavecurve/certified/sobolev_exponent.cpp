@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "wavecurve/certified/detail/flint_matrices.hpp"
-#include "wavecurve/certified/refine.hpp"
+#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
 

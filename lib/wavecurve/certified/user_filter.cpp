@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "wavecurve/certified/relations.hpp"
+#include "wavecurve/certified/detail/relations.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {
 

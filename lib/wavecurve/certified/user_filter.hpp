@@ -12,9 +12,10 @@ namespace wavecurve::certified {
 /// everything computed from it encloses the result for every filter in that box: the radius says
 /// what the digits are worth.
 ///
-/// Throws std::invalid_argument if a relation (certified/relations.hpp) is violated by every filter
-/// in the box, naming the relation and by how much; also for an empty filter, more than 1000 taps,
-/// indices beyond 10000, a tap that is no decimal, an unknown sum, or a negative claim.
+/// Relations: the sums, biorthonormality at every lag, and the claimed zeros at pi. Throws
+/// std::invalid_argument if one is violated by every filter in the box, naming it and by how much;
+/// also for an empty filter, more than 1000 taps, indices beyond 10000, a tap that is no decimal,
+/// an unknown sum, or a negative claim.
 FilterDefinition define_user_filter(const UserFilter& filter);
 
 }  // namespace wavecurve::certified

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "wavecurve/curves/interpolation.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "wavecurve/curves/contour.hpp"
 #include "wavecurve/filters/filter_bank.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "wavecurve/curves/orient2d.hpp"
+#include "wavecurve/curves/detail/orient2d.hpp"
 
 namespace wavecurve {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/curves/arc_length.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/curves/detail/arc_length.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve {

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/curves/arc_length.hpp"
-#include "wavecurve/curves/bezier.hpp"
+#include "wavecurve/curves/detail/arc_length.hpp"
+#include "wavecurve/curves/detail/bezier.hpp"
 #include "wavecurve/curves/signed_area.hpp"
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 
 namespace wavecurve {
 

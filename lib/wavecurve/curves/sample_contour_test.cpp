@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/curves/arc_length.hpp"
-#include "wavecurve/curves/bezier.hpp"
+#include "wavecurve/curves/detail/arc_length.hpp"
+#include "wavecurve/curves/detail/bezier.hpp"
 #include "wavecurve/curves/signed_area.hpp"
 
 namespace wavecurve {

@@ -2,7 +2,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "wavecurve/curves/bezier.hpp"
+#include "wavecurve/curves/detail/bezier.hpp"
 
 namespace wavecurve {
 

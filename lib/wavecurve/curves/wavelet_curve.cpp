@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wavecurve/transform/refinement_mask.hpp"
+#include "wavecurve/transform/detail/refinement_mask.hpp"
 
 namespace wavecurve {
 

@@ -34,7 +34,7 @@ class WaveletCurve {
   double curvature(double t) const;
 
  private:
-  /// sum_n coefficients_n chi(N t - n), chi as in refinement_mask.hpp.
+  /// sum_n coefficients_n chi(N t - n), phi^(d) the d-fold backward difference of chi.
   struct Refinable {
     Contour coefficients;
     std::vector<double> mask;

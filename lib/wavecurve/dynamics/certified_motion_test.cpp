@@ -51,8 +51,10 @@ TEST(CertifiedMotion, EnclosesTheSpectralSolution) {
   const certified::WorkingPrecision precision(256);
   const Eigen::VectorXd start = Eigen::VectorXd::Random(samples);
   for (const double s2 : {0.0, 0.0009765625}) {
-    const LagrangeSystem system(find_filter_bank<double>("db4"), samples, 0, {1, 1, 0, 0, s2, 0});
-    const InitialValueProblem problem = {system, start, {}, Eigen::Vector3d(0.25, 1, 10), {}, {}};
+    const LagrangeSystem system(find_filter_bank<double>("db4"), samples, 0,
+                                {.stiffness_damping = s2});
+    const InitialValueProblem problem = {
+        .system = system, .initial_displacement = start, .times = Eigen::Vector3d(0.25, 1, 10)};
     const Trajectory spectral = solve_spectral(problem);
     const double fastest = std::sqrt(system.eigenvalues().stiffness.maxCoeff());
     for (std::size_t i = 0; i < 3; ++i) {

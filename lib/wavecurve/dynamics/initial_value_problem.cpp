@@ -7,17 +7,17 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
 namespace {
 
 void check_state(const char* name, const Eigen::MatrixXd& state, const InitialValueProblem& p) {
-  if (state.rows() != p.system.samples() || state.cols() != p.displacement.cols()) {
+  if (state.rows() != p.system.samples() || state.cols() != p.initial_displacement.cols()) {
     throw std::invalid_argument(fmt::format("{} is {} x {}, but must be {} x {}", name,
                                             state.rows(), state.cols(), p.system.samples(),
-                                            p.displacement.cols()));
+                                            p.initial_displacement.cols()));
   }
   if (!state.allFinite()) {
     throw std::invalid_argument(std::string(name) + " has a value that is not finite");
@@ -35,8 +35,9 @@ void check_times(const Eigen::VectorXd& times) {
 }  // namespace
 
 void check(const InitialValueProblem& problem) {
-  check_state("the displacement", problem.displacement, problem);
-  if (problem.velocity.size() > 0) check_state("the velocity", problem.velocity, problem);
+  check_state("the displacement", problem.initial_displacement, problem);
+  if (problem.initial_velocity.size() > 0)
+    check_state("the velocity", problem.initial_velocity, problem);
   if (problem.rest.size() > 0) check_state("the rest shape", problem.rest, problem);
   const Force& force = problem.force;
   if (force.constant.size() > 0) check_state("the constant force", force.constant, problem);

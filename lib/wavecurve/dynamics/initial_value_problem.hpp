@@ -24,14 +24,14 @@ using ForceDensity =
 /// coefficients in the multiscale basis, samples x coordinates.
 struct HarmonicForce {
   double omega = 0;
-  Eigen::MatrixXd cosine, sine;
+  Eigen::MatrixXd cosine = {}, sine = {};
 };
 
 /// The sum of all its parts; Q = G times the coefficients of the density.
 struct Force {
-  Eigen::MatrixXd constant;  ///< coefficients, samples x coordinates; no rows: none
-  std::vector<HarmonicForce> harmonic;
-  std::vector<ForceDensity> general;
+  Eigen::MatrixXd constant = {};  ///< coefficients, samples x coordinates; no rows: none
+  std::vector<HarmonicForce> harmonic = {};
+  std::vector<ForceDensity> general = {};
 
   bool is_none() const { return constant.size() == 0 && harmonic.empty() && general.empty(); }
 };
@@ -48,11 +48,12 @@ ForceDensity attraction(const Eigen::Ref<const Eigen::RowVectorXd>& point, doubl
 /// Coefficients in global-to-local order, samples x coordinates.
 struct InitialValueProblem {
   LagrangeSystem system;
-  Eigen::MatrixXd displacement, velocity;  ///< no rows of velocity: at rest
-  Eigen::VectorXd times;                   ///< increasing, none negative
-  Force force;
-  Eigen::MatrixXd rest;    ///< u_0, seen by general forces only; no rows: zero
-  bool velocities = true;  ///< whether the trajectory shall have them
+  Eigen::MatrixXd initial_displacement = {};
+  Eigen::MatrixXd initial_velocity = {};  ///< no rows: at rest
+  Eigen::VectorXd times = {};             ///< increasing, none negative
+  Force force = {};
+  Eigen::MatrixXd rest = {};    ///< u_0, seen by general forces only; no rows: zero
+  bool with_velocities = true;  ///< whether the trajectory shall have them
 };
 
 /// What a solution has cost.
@@ -64,7 +65,7 @@ struct Cost {
 /// One state for each of the times. A massless curve has no velocity of its own; there it is that
 /// of the equation, C^-1 (Q - K q).
 struct Trajectory {
-  std::vector<Eigen::MatrixXd> displacement, velocity;
+  std::vector<Eigen::MatrixXd> displacement, velocity;  ///< velocity: empty unless asked for
   Cost cost;
 };
 

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <utility>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/transform/bands.hpp"

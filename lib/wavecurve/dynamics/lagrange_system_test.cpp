@@ -36,7 +36,11 @@ TEST(LagrangeSystem, HasTheDiagonalsOfItsMatricesBandByBand) {
   for (const char* filter : {"db4", "bspline4.4"}) {
     for (const int levels : {0, 2, 5}) {
       const LagrangeSystem system(find_filter_bank<double>(filter), 32, levels,
-                                  {2, 0.7, 0, 0.3, 1e-3, 0.4});
+                                  {.density = 2,
+                                   .stiffness = 0.7,
+                                   .mass_damping = 0.3,
+                                   .stiffness_damping = 1e-3,
+                                   .damping_density = 0.4});
       const CirculantEigenvalues diagonals = system.band_diagonals();
       Eigen::Index i = 0;
       for (const Band& band : multiscale_bands(32, levels)) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "wavecurve/dynamics/initial_value_problem.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
@@ -40,10 +40,9 @@ inline InitialValueProblem smooth_problem(const std::string& filter, Eigen::Inde
                                           const Material& material) {
   const int levels = all_levels(samples);
   const LagrangeSystem system(find_filter_bank<double>(filter), samples, levels, material);
-  InitialValueProblem problem = {
-      system, coefficients_of(system, smooth_samples(samples)), {}, {}, {}, {}};
-  problem.times = Eigen::VectorXd::LinSpaced(5, 0, 1);
-  return problem;
+  return {.system = system,
+          .initial_displacement = coefficients_of(system, smooth_samples(samples)),
+          .times = Eigen::VectorXd::LinSpaced(5, 0, 1)};
 }
 
 /// The coefficients of the curve whose start point is moved by so many samples, a multiple of the

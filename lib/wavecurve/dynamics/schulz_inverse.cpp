@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 

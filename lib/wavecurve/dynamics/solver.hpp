@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,20 +12,29 @@ namespace wavecurve::dynamics {
 /// The one interface of all solvers.
 using Solver = std::function<Trajectory(const InitialValueProblem&)>;
 
-/// What the number that a solver is made with means.
-enum class Accuracy {
-  closed_form,  ///< the tolerance of general forces; all else is exact for the solver's model
-  tolerance,    ///< of the estimated error of a step
-  step,         ///< the step size
+/// How exact a solver shall be, by the name of the number: make({.tolerance = 1e-8}) or
+/// make({.step = 0.01}). Of both, a solver takes the one that its kind has (see AccuracyKind).
+struct Accuracy {
+  std::optional<double> tolerance = std::nullopt;  ///< of the estimated error of a step, relative
+  std::optional<double> step = std::nullopt;       ///< the step size, a time
 };
 
-/// A solver by its name. make throws nothing; the solver it makes throws std::invalid_argument for
-/// an accuracy that is not above 0.
+/// Which of the two a solver takes.
+enum class AccuracyKind {
+  closed_form,  ///< a tolerance, of general forces, 1e-9 if not given; all else is exact for the
+                ///< solver's model
+  tolerance,    ///< a tolerance
+  step,         ///< a step
+};
+
+/// A solver by its name.
 struct NamedSolver {
   std::string name, summary;
-  Accuracy accuracy;
+  AccuracyKind accuracy;
   bool is_massless;  ///< needs density 0; the others, but those in closed form, need one above 0
-  std::function<Solver(double accuracy)> make;
+  /// The solver at an accuracy. Throws std::invalid_argument unless the number that the solver
+  /// takes is given; the solver that it makes does so unless the number is above 0.
+  std::function<Solver(const Accuracy& accuracy)> make;
 };
 
 /// All of them: to add one, add a line there.

@@ -38,11 +38,21 @@ const std::vector<Trial> trials = {
     {"implicit-ldlt", {1.0 / 64, 1.0 / 256, 1.0 / 1024}, 2},
 };
 
+/// The number as whichever the solver takes.
+Accuracy either(double number) { return {.tolerance = number, .step = number}; }
+
 InitialValueProblem forced_problem(const std::string& filter) {
-  InitialValueProblem problem = smooth_problem(filter, 32, {1.5, 0.8, 0, 0.2, 1e-3, 0.1});
-  problem.velocity = -0.7 * problem.displacement;
+  InitialValueProblem problem = smooth_problem(filter, 32,
+                                               {.density = 1.5,
+                                                .stiffness = 0.8,
+                                                .mass_damping = 0.2,
+                                                .stiffness_damping = 1e-3,
+                                                .damping_density = 0.1});
+  problem.initial_velocity = -0.7 * problem.initial_displacement;
   problem.force.constant = uniform_density(problem.system, Eigen::RowVector2d(0.1, -1));
-  problem.force.harmonic.push_back({4, problem.displacement, 0.5 * problem.displacement});
+  problem.force.harmonic.push_back({.omega = 4,
+                                    .cosine = problem.initial_displacement,
+                                    .sine = 0.5 * problem.initial_displacement});
   return problem;
 }
 
@@ -53,7 +63,7 @@ TEST(Solvers, TendToTheExactSolutionAtTheirOrder) {
     for (const Trial& trial : trials) {
       std::vector<double> errors;
       for (const double accuracy : trial.accuracies) {
-        const Trajectory solution = find_solver(trial.name).make(accuracy)(problem);
+        const Trajectory solution = find_solver(trial.name).make(either(accuracy))(problem);
         errors.push_back(largest_difference(solution.displacement, exact.displacement));
         EXPECT_GT(solution.cost.operations, 0);
       }
@@ -70,8 +80,8 @@ TEST(Solvers, TendToTheExactSolutionAtTheirOrder) {
 TEST(Solvers, TheMatrixFreeOneIsItsDenseTwin) {
   for (const std::string& filter : filters) {
     const InitialValueProblem problem = forced_problem(filter);
-    const Trajectory fast = find_solver("coupled").make(1e-6)(problem);
-    const Trajectory plain = find_solver("coupled-dense").make(1e-6)(problem);
+    const Trajectory fast = find_solver("coupled").make({.tolerance = 1e-6})(problem);
+    const Trajectory plain = find_solver("coupled-dense").make({.tolerance = 1e-6})(problem);
     // The same steps, with rounding alone between them: thousands of operations of size 1.
     EXPECT_EQ(fast.cost.evaluations, plain.cost.evaluations);
     EXPECT_LT(largest_difference(fast.displacement, plain.displacement), 1e5 * epsilon);
@@ -81,22 +91,22 @@ TEST(Solvers, TheMatrixFreeOneIsItsDenseTwin) {
 
 TEST(Solvers, SolveOneModeAsOnPaper) {
   // On the circle of 64 samples, mode 1: q'' + 0.3 q' + k q = 0 with the symbol k, near (2 pi)^2.
-  InitialValueProblem problem = smooth_problem("db4", 64, {1, 1, 0, 0.3, 0, 0});
-  problem.displacement.col(0) = problem.displacement.col(1);
+  InitialValueProblem problem = smooth_problem("db4", 64, {.mass_damping = 0.3});
+  problem.initial_displacement.col(0) = problem.initial_displacement.col(1);
   const double k = problem.system.eigenvalues().stiffness[1], decay = 0.15;
   const double omega = std::sqrt(k - decay * decay);
   const auto expect = [&](const std::string& name, double accuracy, double bound) {
-    const Trajectory solution = find_solver(name).make(accuracy)(problem);
+    const Trajectory solution = find_solver(name).make(either(accuracy))(problem);
     for (std::size_t i = 0; i < solution.displacement.size(); ++i) {
       const double t = problem.times[static_cast<Eigen::Index>(i)], sine = std::sin(omega * t);
       const double fading = std::exp(-decay * t);
       const double factor = fading * (std::cos(omega * t) + decay / omega * sine);
-      EXPECT_LT((solution.displacement[i] - factor * problem.displacement).norm(),
-                bound * problem.displacement.norm())
+      EXPECT_LT((solution.displacement[i] - factor * problem.initial_displacement).norm(),
+                bound * problem.initial_displacement.norm())
           << name << " at " << t;
       const double speed = -fading * k / omega * sine;
-      EXPECT_LT((solution.velocity[i] - speed * problem.displacement).norm(),
-                bound * omega * problem.displacement.norm())
+      EXPECT_LT((solution.velocity[i] - speed * problem.initial_displacement).norm(),
+                bound * omega * problem.initial_displacement.norm())
           << name << " at " << t;
     }
   };
@@ -107,7 +117,7 @@ TEST(Solvers, SolveOneModeAsOnPaper) {
 
 /// At an accuracy that is cheap.
 Solver cheap(const NamedSolver& solver) {
-  return solver.make(solver.accuracy == Accuracy::step ? 1.0 / 64 : 1e-5);
+  return solver.make({.tolerance = 1e-5, .step = 1.0 / 64});
 }
 
 /// All that solve the equation of second order.
@@ -120,31 +130,32 @@ std::vector<Solver> all_solvers() {
 }
 
 TEST(Solvers, ShiftTheSolutionWithTheStartPoint) {
-  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 3, {1, 1, 0, 0.1, 0, 0});
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 3, {.mass_damping = 0.1});
   const Eigen::Index shift = 2 * 8;  // twice the coarsest spacing
-  InitialValueProblem problem = {system, {}, {}, Eigen::Vector2d(0.2, 0.5), {}, {}};
+  InitialValueProblem problem = {.system = system, .times = Eigen::Vector2d(0.2, 0.5)};
   for (const NamedSolver& named : solvers()) {
     if (named.is_massless) continue;
     const Solver solver = cheap(named);
-    problem.displacement = coefficients_of(system, smooth_samples(64));
+    problem.initial_displacement = coefficients_of(system, smooth_samples(64));
     const Trajectory original = solver(problem);
-    problem.displacement = coefficients_of(system, smooth_samples(64, shift));
+    problem.initial_displacement = coefficients_of(system, smooth_samples(64, shift));
     Trajectory moved = solver(problem);
     for (Eigen::MatrixXd& state : moved.displacement) state = shifted(system, state, -shift + 64);
     // Closed forms: rounding. Newmark: 32 steps, each with residuals of 1e-12. The others may
     // choose other steps where rounding tips the scale.
-    const double bound = named.accuracy == Accuracy::closed_form ? 1e4 * epsilon
-                         : named.accuracy == Accuracy::step      ? 1e-9
-                                                                 : 1e-4;
+    const double bound = named.accuracy == AccuracyKind::closed_form ? 1e4 * epsilon
+                         : named.accuracy == AccuracyKind::step      ? 1e-9
+                                                                     : 1e-4;
     EXPECT_LT(largest_difference(moved.displacement, original.displacement), bound) << named.name;
   }
 }
 
 TEST(Solvers, AreLinearInStartAndForce) {
-  InitialValueProblem problem = smooth_problem("cdf9.7", 32, {1, 1, 0, 0.1, 1e-4, 0});
-  problem.force.constant = 2 * problem.displacement;
+  InitialValueProblem problem =
+      smooth_problem("cdf9.7", 32, {.mass_damping = 0.1, .stiffness_damping = 1e-4});
+  problem.force.constant = 2 * problem.initial_displacement;
   InitialValueProblem twice = problem;
-  twice.displacement *= 2;
+  twice.initial_displacement *= 2;
   twice.force.constant *= 2;
   for (const Solver& solver : all_solvers()) {
     const Trajectory once = solver(problem);
@@ -156,21 +167,20 @@ TEST(Solvers, AreLinearInStartAndForce) {
 }
 
 TEST(Solvers, RunBackwardsWithoutDamping) {
-  InitialValueProblem problem = smooth_problem("db4", 32, {1, 1, 0, 0, 0, 0});
+  InitialValueProblem problem = smooth_problem("db4", 32, {});
   problem.times = Eigen::VectorXd::Constant(1, 0.4);
   for (const NamedSolver& named : solvers()) {
     if (named.is_massless) continue;
-    const bool is_step = named.accuracy == Accuracy::step;
-    const Solver solver = named.make(is_step ? 1.0 / 64 : 1e-6);
+    const Solver solver = named.make({.tolerance = 1e-6, .step = 1.0 / 64});
     InitialValueProblem back = problem;
     const Trajectory there = solver(problem);
-    back.displacement = there.displacement[0];
-    back.velocity = -there.velocity[0];
+    back.initial_displacement = there.displacement[0];
+    back.initial_velocity = -there.velocity[0];
     const Trajectory again = solver(back);
     // Newmark's method is symmetric in time, the closed forms exact: rounding and residuals alone.
-    const double bound = named.accuracy == Accuracy::tolerance ? 1e-3 : 1e-9;
-    EXPECT_LT((again.displacement[0] - problem.displacement).norm(),
-              bound * problem.displacement.norm())
+    const double bound = named.accuracy == AccuracyKind::tolerance ? 1e-3 : 1e-9;
+    EXPECT_LT((again.displacement[0] - problem.initial_displacement).norm(),
+              bound * problem.initial_displacement.norm())
         << named.name;
   }
 }
@@ -190,8 +200,8 @@ std::vector<double> differences(const Solver& solver, const Trajectory& limit, M
 TEST(Solvers, TendToTheUndampedMotionAsTheDampingVanishes) {
   for (const NamedSolver& named : solvers()) {
     if (named.is_massless) continue;
-    const Solver solver = named.make(named.accuracy == Accuracy::step ? 1.0 / 64 : 1e-8);
-    const Material material = {1, 1, 0, 0, 0, 0};
+    const Solver solver = named.make({.tolerance = 1e-8, .step = 1.0 / 64});
+    const Material material = {};
     const Trajectory limit = solver(smooth_problem("db4", 16, material));
     const auto found =
         differences(solver, limit, material, &Material::stiffness_damping, {1e-3, 1e-4, 1e-5});
@@ -206,10 +216,11 @@ TEST(Solvers, TendToTheMasslessMotionAsTheDensityVanishes) {
   for (const NamedSolver& named : solvers()) {
     if (named.is_massless) continue;
     // Steps must resolve the time density / c in which the velocity is found.
-    const Solver solver = named.make(named.accuracy == Accuracy::step ? 1.0 / 4096 : 1e-6);
-    const bool is_closed = named.accuracy == Accuracy::closed_form;
-    const Material material = {0, 0.1, 0, 0, 0.05, 1};
-    const Trajectory limit = (is_closed ? solver : find_solver("spectral").make(1e-9))(
+    const Solver solver = named.make({.tolerance = 1e-6, .step = 1.0 / 4096});
+    const bool is_closed = named.accuracy == AccuracyKind::closed_form;
+    const Material material = {
+        .density = 0, .stiffness = 0.1, .stiffness_damping = 0.05, .damping_density = 1};
+    const Trajectory limit = (is_closed ? solver : find_solver("spectral").make({}))(
         smooth_problem("db4", 16, material));
     const auto found = differences(solver, limit, material, &Material::density, {1e-2, 1e-3});
     for (std::size_t i = 1; i < found.size(); ++i) {
@@ -252,7 +263,7 @@ TEST(Solvers, StopWhereTheStepSizeVanishes) {
                                            1 / ((0.5001 - t) * (0.5001 - t)));
         });
     try {
-      find_solver(name).make(1e-8)(problem);
+      find_solver(name).make({.tolerance = 1e-8})(problem);
       ADD_FAILURE() << name << ": no exception";
     } catch (const SolutionStopped& stopped) {
       EXPECT_NE(std::string(stopped.what()).find("step size"), std::string::npos)
@@ -262,22 +273,41 @@ TEST(Solvers, StopWhereTheStepSizeVanishes) {
   }
 }
 
+TEST(Solvers, TakeTheAccuracyOfTheirKindAlone) {
+  for (const NamedSolver& solver : solvers()) {
+    const bool is_step = solver.accuracy == AccuracyKind::step;
+    const Accuracy other = is_step ? Accuracy{.tolerance = 1e-3} : Accuracy{.step = 1e-3};
+    if (solver.accuracy == AccuracyKind::closed_form) {
+      EXPECT_NO_THROW(solver.make(other)) << solver.name;
+      continue;
+    }
+    try {
+      solver.make(other);
+      ADD_FAILURE() << solver.name << ": no exception";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "solver " + solver.name + " needs a " +
+                                  (is_step ? "step" : "tolerance") + ", but none is given");
+    }
+  }
+}
+
 TEST(Solvers, RefuseWhatDoesNotFit) {
   for (const NamedSolver& solver : solvers()) {
     InitialValueProblem problem = smooth_problem("db4", 16, {});
     if (solver.is_massless) {
-      EXPECT_THROW(solver.make(1e-3)(problem), std::domain_error) << solver.name;
+      EXPECT_THROW(solver.make({.step = 1e-3})(problem), std::domain_error) << solver.name;
       continue;
     }
-    if (solver.accuracy != Accuracy::closed_form) {
+    if (solver.accuracy != AccuracyKind::closed_form) {
       for (const double value : {0.0, -1.0, double(NAN)}) {
-        EXPECT_THROW(solver.make(value)(problem), std::invalid_argument) << solver.name;
+        EXPECT_THROW(solver.make(either(value))(problem), std::invalid_argument) << solver.name;
       }
     }
     problem.times = Eigen::Vector2d(1, 0.5);
-    EXPECT_THROW(solver.make(0.1)(problem), std::invalid_argument) << solver.name;
-    problem = smooth_problem("db4", 16, {0, 1, 0, 0, 1, 0});  // massless, C = K singular
-    EXPECT_THROW(solver.make(0.1)(problem), std::domain_error) << solver.name;
+    EXPECT_THROW(solver.make(either(0.1))(problem), std::invalid_argument) << solver.name;
+    problem = smooth_problem("db4", 16,
+                             {.density = 0, .stiffness_damping = 1});  // massless, C = K singular
+    EXPECT_THROW(solver.make(either(0.1))(problem), std::domain_error) << solver.name;
   }
   EXPECT_THROW(find_solver("euler"), std::invalid_argument);
 }

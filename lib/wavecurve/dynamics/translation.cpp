@@ -36,8 +36,8 @@ ForceDensity without_mean(ForceDensity force, const MeanMotion& motion) {
 
 InitialValueProblem without_mean(InitialValueProblem problem, const MeanMotion& motion) {
   const LagrangeSystem& system = problem.system;
-  remove_mean(system, problem.displacement);
-  remove_mean(system, problem.velocity);
+  remove_mean(system, problem.initial_displacement);
+  remove_mean(system, problem.initial_velocity);
   remove_mean(system, problem.force.constant);
   for (HarmonicForce& harmonic : problem.force.harmonic) {
     remove_mean(system, harmonic.cosine);
@@ -71,7 +71,7 @@ Solver with_translation(Solver solver, Translation translation) {
   if (translation == Translation::free) return solver;
   return [solver = std::move(solver), translation](const InitialValueProblem& problem) {
     check(problem);
-    MeanMotion motion = {mean(problem.system, problem.displacement), 0};
+    MeanMotion motion = {mean(problem.system, problem.initial_displacement), 0};
     if (translation == Translation::interpolated && problem.times.size() > 0) {
       motion.end = problem.times[problem.times.size() - 1];
     }

@@ -10,8 +10,8 @@ namespace wavecurve::dynamics {
 namespace {
 
 InitialValueProblem falling(const std::string& filter) {
-  InitialValueProblem problem = smooth_problem(filter, 32, {1, 1, 0, 0, 0, 0});
-  problem.displacement += uniform_density(problem.system, Eigen::RowVector2d(2, -1));
+  InitialValueProblem problem = smooth_problem(filter, 32, {});
+  problem.initial_displacement += uniform_density(problem.system, Eigen::RowVector2d(2, -1));
   problem.force.constant = uniform_density(problem.system, Eigen::RowVector2d(0, -4));
   return problem;
 }
@@ -30,7 +30,7 @@ TEST(Translation, MovesTheMeanAsSaidAndNothingElse) {
     const InitialValueProblem problem = falling(filter);
     const LagrangeSystem& system = problem.system;
     for (const char* name : {"spectral", "decoupled", "coupled"}) {
-      const Solver solver = find_solver(name).make(1e-10);
+      const Solver solver = find_solver(name).make({.tolerance = 1e-10});
       const Trajectory free = with_translation(solver, Translation::free)(problem);
       for (const auto& [mode, end] :
            {std::pair(Translation::held, 1.0), {Translation::interpolated, 0.0}}) {
@@ -66,8 +66,8 @@ TEST(Translation, GeneralForcesSeeTheWholeMotion) {
         seen = positions.colwise().mean();
         return Eigen::MatrixXd::Ones(positions.rows(), positions.cols());
       });
-  const Trajectory held =
-      with_translation(find_solver("spectral").make(1e-8), Translation::held)(problem);
+  const Trajectory held = with_translation(find_solver("spectral").make({.tolerance = 1e-8}),
+                                           Translation::held)(problem);
   EXPECT_LT((seen - Eigen::RowVector2d(2, -1)).norm(), 1e-9);
   EXPECT_LT((mean(problem.system, held.displacement[4]) - Eigen::RowVector2d(2, -1)).norm(), 1e-9);
 }

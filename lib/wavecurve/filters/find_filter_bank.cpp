@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/spline_filter.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
-#include "wavecurve/filters/spline_filter.hpp"
 
 namespace wavecurve {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "wavecurve/certified/filter_table_source.hpp"
+#include "wavecurve/certified/detail/filter_table_source.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/io/files/read_file.hpp"

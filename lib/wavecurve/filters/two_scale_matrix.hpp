@@ -1,9 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/filter.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
 
@@ -12,6 +8,9 @@ namespace wavecurve {
 /// The index of the first unknown: 0 for even d; 1 for odd d, since an odd derivative of a
 /// symmetric function vanishes at 0.
 inline int first_two_scale_unknown(int d) { return d % 2; }
+
+/// Throws as two_scale_matrix does.
+void check_two_scale_arguments(int d, int coefficients);
 
 /// Beylkin's two-scale matrix A, (3.11) of the publication, one row an equation. A mu = 0 says
 ///   mu_l = 2^(d-1) sum_k alpha_k mu_{2l+k},   mu_{-l} = (-1)^d mu_l,   mu_l = 0 for |l| >= P
@@ -24,15 +23,8 @@ inline int first_two_scale_unknown(int d) { return d % 2; }
 /// std::invalid_argument if alpha is too short for one unknown, or d lies outside 0 .. 16.
 template <class Scalar>
 SquareMatrix<Scalar> two_scale_matrix(const Filter<Scalar>& alpha, int d = 2) {
-  constexpr int highest_order = 16;
-  check_between("derivative order", d, 0, highest_order);
+  check_two_scale_arguments(d, alpha.size());
   const int first = first_two_scale_unknown(d), unknowns = alpha.size() - 1 - first;
-  if (unknowns < 1) {
-    throw std::invalid_argument("the two-scale system of derivative order " + std::to_string(d) +
-                                " needs at least " + std::to_string(2 + first) +
-                                " autocorrelation coefficients, not " +
-                                std::to_string(alpha.size()));
-  }
   Scalar scale = Scalar(1) / Scalar(2);
   for (int i = 0; i < d; ++i) scale *= Scalar(2);
   const auto at = [&](int k) { return alpha[k < 0 ? -k : k]; };

@@ -15,11 +15,11 @@ struct UserFilter {
   Filter<std::string> taps;
   /// The low-pass filter of the dual scaling function (analysis side); none for an orthonormal
   /// filter.
-  std::optional<Filter<std::string>> dual;
+  std::optional<Filter<std::string>> dual = {};
   /// What the taps add up to: "sqrt2" (orthonormal normalisation), "1" or "2".
   std::string sum = "sqrt2";
   /// The numbers of zeros at pi, where the user claims them.
-  std::optional<int> vanishing_moments, dual_vanishing_moments;
+  std::optional<int> vanishing_moments = {}, dual_vanishing_moments = {};
 };
 
 }  // namespace wavecurve

@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve::io {
@@ -167,8 +167,8 @@ std::string descriptor_json(const Descriptor& descriptor) {
   ]
 }}
 )",
-      descriptor_format, descriptor_version, quoted(descriptor.filter), options.samples, options.levels,
-      options.mode == SampleMode::interpolate ? "interpolate" : "samples",
+      descriptor_format, descriptor_version, quoted(descriptor.filter), options.samples,
+      options.levels, options.mode == SampleMode::interpolate ? "interpolate" : "samples",
       options.corners == Corners::kept ? "kept" : "ignored", box.x, box.y, box.width, box.height,
       fmt::join(layers, ",\n"));
 }

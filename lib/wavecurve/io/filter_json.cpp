@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 
 namespace wavecurve::io {
 
@@ -69,8 +69,8 @@ UserFilter read_filter_json(const std::filesystem::path& path) {
     return user_filter_of(json::parse(text), path.stem().string());
   } catch (const json::exception& error) {
     constexpr std::size_t shown = 120;
-    refuse_filter(path,
-           std::string("not a filter in JSON: ") + std::string(error.what()).substr(0, shown));
+    refuse_filter(
+        path, std::string("not a filter in JSON: ") + std::string(error.what()).substr(0, shown));
   } catch (const std::invalid_argument& error) {
     refuse_filter(path, error.what());
   }

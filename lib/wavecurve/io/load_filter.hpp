@@ -7,7 +7,7 @@
 namespace wavecurve::io {
 
 /// The filter of a name (certified/find_filter.hpp) or, if the text ends in ".json", of a user's
-/// file (io/filter_json.hpp). Throws as those do. Part of the link target wavecurve::certified.
+/// file (io/filter_json.hpp). Throws as those do.
 certified::FilterDefinition load_filter(const std::string& name_or_path);
 
 /// The same in double precision: the library's tables for a name, the nearest doubles for a file.

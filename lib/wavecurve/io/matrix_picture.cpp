@@ -9,8 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/drawings/svg_paint.hpp"
-#include "wavecurve/io/files/xml_escaped.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 namespace wavecurve::io {
 
@@ -134,9 +133,9 @@ std::string draw_colour_bar(const Scale& scale, std::string_view quantity, doubl
   std::string svg;
   const double step = height / shades;
   for (int shade = 1; shade <= shades; ++shade) {
-    svg +=
-        fmt::format("<rect y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
-                    height - step * shade, bar_width, step + (shade > 1 ? 0.3 : 0), entry_colour(shade));
+    svg += fmt::format("<rect y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
+                       height - step * shade, bar_width, step + (shade > 1 ? 0.3 : 0),
+                       entry_colour(shade));
   }
   const int decades = static_cast<int>(scale.highest - scale.lowest);
   const int stride = (decades + 5) / 6;

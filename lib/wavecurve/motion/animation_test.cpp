@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/motion/check_animation.hpp"
+#include "wavecurve/motion/detail/check_animation.hpp"
 #include "wavecurve/motion/there_and_back.hpp"
 
 namespace wavecurve::motion {

@@ -1,6 +1,6 @@
 #include "wavecurve/motion/ease.hpp"
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::motion {
 

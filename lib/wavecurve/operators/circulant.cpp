@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 
 namespace wavecurve {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/autocorrelation.hpp"
-#include "wavecurve/filters/bad_value.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve {
 

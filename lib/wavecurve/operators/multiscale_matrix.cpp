@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/transform/bands.hpp"
 #include "wavecurve/transform/detail/strided_block.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/operators/circulant.hpp"
-#include "wavecurve/operators/circulant_product.hpp"
+#include "wavecurve/operators/detail/circulant_product.hpp"
 #include "wavecurve/transform/detail/periodic_kernels.hpp"
 
 namespace wavecurve {

@@ -9,7 +9,7 @@
 #include <Spectra/SymEigsSolver.h>
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"

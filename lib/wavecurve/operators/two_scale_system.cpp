@@ -9,8 +9,8 @@
 #include <Spectra/GenEigsRealShiftSolver.h>
 #include <Spectra/MatOp/DenseGenRealShiftSolve.h>
 
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/two_scale_matrix.hpp"
-#include "wavecurve/filters/bad_value.hpp"
 
 namespace wavecurve {
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/transform/refinement_mask.hpp"
+#include <fmt/format.h>
+
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/transform/detail/refinement_mask.hpp"
 
 namespace wavecurve {
 

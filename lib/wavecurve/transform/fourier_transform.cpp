@@ -1,10 +1,15 @@
 #include "wavecurve/transform/fourier_transform.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <complex>
 #include <cstdint>
 #include <numbers>
+#include <optional>
+#include <unsupported/Eigen/FFT>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
+#include "wavecurve/transform/detail/stockham_transform.hpp"
 
 namespace wavecurve {
 
@@ -24,7 +29,25 @@ constexpr Eigen::Index strip = 8;
 
 }  // namespace
 
-FourierTransform::FourierTransform(Eigen::Index size) : size_(size) {
+class FourierTransform::Steps {
+ public:
+  explicit Steps(Eigen::Index size);
+
+  void transform(Complex* x, bool inverse);
+
+ private:
+  void by_eigen(Complex* x, bool inverse);
+  void in_four_steps(Complex* x, bool inverse);
+
+  Eigen::Index size_, rows_ = 1;  ///< rows_ = 2^shift_ > 1: in four steps
+  Eigen::Index pitch_ = 0;
+  int shift_ = 0;
+  std::optional<StockhamTransform> of_columns_, of_rows_;  ///< lengths size / rows_ and rows_
+  Vector buffer_, gathered_, coarse_, fine_;
+  Eigen::FFT<double> fft_;
+};
+
+FourierTransform::Steps::Steps(Eigen::Index size) : size_(size) {
   if (!is_power_of_two(size) || size > longest_direct) buffer_.resize(size);
   if (!is_power_of_two(size)) return;
   while (size > longest_direct && rows_ * rows_ < size) {
@@ -48,19 +71,19 @@ FourierTransform::FourierTransform(Eigen::Index size) : size_(size) {
     fine_[b] = std::polar(1.0, angle * static_cast<double>(b));
 }
 
-void FourierTransform::transform(Complex* x, bool inverse) {
+void FourierTransform::Steps::transform(Complex* x, bool inverse) {
   if (!of_columns_) return by_eigen(x, inverse);
   if (of_rows_) return in_four_steps(x, inverse);
   of_columns_->transform(x, x, inverse, inverse ? 1.0 / static_cast<double>(size_) : 1);
 }
 
-void FourierTransform::by_eigen(Complex* x, bool inverse) {
+void FourierTransform::Steps::by_eigen(Complex* x, bool inverse) {
   std::copy(x, x + size_, buffer_.data());
   if (inverse) fft_.inv(x, buffer_.data(), static_cast<int>(size_));
   if (!inverse) fft_.fwd(x, buffer_.data(), static_cast<int>(size_));
 }
 
-void FourierTransform::in_four_steps(Complex* x, bool inverse) {
+void FourierTransform::Steps::in_four_steps(Complex* x, bool inverse) {
   // With j = r + rows j', k = k' + others k'':
   //   X_k = sum_r w_rows^(r k'') w_size^(r k') sum_j' w_others^(j' k') x_j.
   const Eigen::Index others = size_ / rows_;
@@ -97,8 +120,13 @@ void FourierTransform::in_four_steps(Complex* x, bool inverse) {
   }
 }
 
-void FourierTransform::forward(Eigen::Ref<Vector> x) { transform(x.data(), false); }
+FourierTransform::FourierTransform(Eigen::Index size) : steps_(std::make_unique<Steps>(size)) {}
+FourierTransform::FourierTransform(FourierTransform&&) noexcept = default;
+FourierTransform& FourierTransform::operator=(FourierTransform&&) noexcept = default;
+FourierTransform::~FourierTransform() = default;
 
-void FourierTransform::inverse(Eigen::Ref<Vector> x) { transform(x.data(), true); }
+void FourierTransform::forward(Eigen::Ref<Vector> x) { steps_->transform(x.data(), false); }
+
+void FourierTransform::inverse(Eigen::Ref<Vector> x) { steps_->transform(x.data(), true); }
 
 }  // namespace wavecurve

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include <gtest/gtest.h>

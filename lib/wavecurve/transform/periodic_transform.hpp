@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include <Eigen/Core>
 
 #include "wavecurve/filters/filter_bank.hpp"
-#include "wavecurve/transform/detail/filter_pair.hpp"
 
 namespace wavecurve {
 
@@ -43,22 +44,11 @@ class PeriodicTransform {
   void inverse_adjoint(In samples, Out coefficients, Workspace workspace) const;
 
  private:
-  using Filters = FilterPair<Scalar>;
-
-  /// All levels of one signal or of one group; output may be the input.
-  void analyse(const Filters& filters, const Scalar* input, Scalar* output, Scalar* workspace,
-               Layout layout) const;
-  void synthesise(const Filters& filters, const Scalar* input, Scalar* output, Scalar* workspace,
-                  Layout layout) const;
-  /// Takes the columns, in groups or one by one, through analyse or synthesise.
-  template <class Pass>
-  void transform(In input, Out& output, Workspace& workspace, Pass pass) const;
-  Layout layout_of(Eigen::Index columns) const;
-  void check_sizes(In input, const Out& output, const Workspace& workspace) const;
+  struct Cascade;  ///< the filters, prepared for the kernels; immutable, so copies share it
 
   Eigen::Index samples_;
   int levels_;
-  Filters analysis_, synthesis_;
+  std::shared_ptr<const Cascade> cascade_;
 };
 
 }  // namespace wavecurve

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/motion/gait/record/gait_cycle.hpp"
 
 #include "verification/stand_ins/example_gait.hpp"

@@ -11,7 +11,7 @@
 #include "wavecurve/curves/hausdorff_distance.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 
 #include "verification/stand_ins/example_contour.hpp"
 #include "verification/stand_ins/fourier_descriptor.hpp"

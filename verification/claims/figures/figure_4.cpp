@@ -10,7 +10,7 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/animations/animation_sheet.hpp"
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/lottie.hpp"
 #include "wavecurve/motion/morph/avoid_crossings.hpp"
 #include "wavecurve/motion/morph/make_morph.hpp"

@@ -50,7 +50,7 @@ Release release(const Variant& variant, const VectorXd& times) {
   Contour hoop = deformed_hoop(samples);
   hoop.col(0).array() += variant.mean;
   dynamics::InitialValueProblem problem = released(system, hoop, times);
-  problem.velocities = false;
+  problem.with_velocities = false;
   dynamics::Trajectory motion = dynamics::solve_spectral(problem);
   return {std::move(problem), std::move(motion)};
 }

@@ -41,13 +41,10 @@ dynamics::LagrangeSystem system_of(Index size) {
 /// sqrt(samples / size) times those of the small system (see SampleMode).
 dynamics::InitialValueProblem at_scale(const dynamics::InitialValueProblem& full, Index size) {
   const double unit = std::sqrt(static_cast<double>(samples) / static_cast<double>(size));
-  dynamics::InitialValueProblem coarse{system_of(size),
-                                       full.displacement.topRows(size) / unit,
-                                       {},
-                                       full.times,
-                                       {},
-                                       full.rest.topRows(size) / unit};
-  return coarse;
+  return {.system = system_of(size),
+          .initial_displacement = full.initial_displacement.topRows(size) / unit,
+          .times = full.times,
+          .rest = full.rest.topRows(size) / unit};
 }
 
 /// Coefficients of all scales, the finer ones zero.

@@ -37,7 +37,7 @@ struct Errors {
 Errors errors_by_time(const dynamics::LagrangeSystem& system, const Contour& shape,
                       const VectorXd& times) {
   dynamics::InitialValueProblem problem = released(system, shape, times);
-  problem.velocities = false;
+  problem.with_velocities = false;
   const dynamics::Trajectory exact = dynamics::solve_spectral(problem);
   return {displacement_errors(problem, dynamics::solve_decoupled(problem), exact),
           displacement_errors(problem, dynamics::solve_block_decoupled(problem), exact)};

@@ -69,7 +69,7 @@ Exact exact_energy() {
        {"filter", "N", "largest change, undamped", "largest increase, s_1 = 1",
         "largest increase, s_2 = 0.001"},
        {}}};
-  const dynamics::Solver solver = dynamics::find_solver("spectral").make(1e-9);
+  const dynamics::Solver solver = dynamics::find_solver("spectral").make({});
   const VectorXd times = VectorXd::LinSpaced(101, 0, end);
   for (const char* filter : {"db4", "coif2", "bspline4.4", "cdf9.7"}) {
     for (const Index samples : {16, 64, 256}) {
@@ -87,11 +87,11 @@ Exact exact_energy() {
 
 std::vector<double> accuracies(const dynamics::NamedSolver& solver) {
   switch (solver.accuracy) {
-    case dynamics::Accuracy::tolerance:
+    case dynamics::AccuracyKind::tolerance:
       return {1e-4, 1e-6};
-    case dynamics::Accuracy::step:
+    case dynamics::AccuracyKind::step:
       return {1.0 / 64, 1.0 / 512};
-    case dynamics::Accuracy::closed_form:
+    case dynamics::AccuracyKind::closed_form:
       break;
   }
   return {1e-9};
@@ -108,9 +108,9 @@ Table drift_table() {
   for (const dynamics::NamedSolver& solver : dynamics::solvers()) {
     if (solver.is_massless) continue;
     for (const double accuracy : accuracies(solver)) {
-      const dynamics::Solver made = solver.make(accuracy);
+      const dynamics::Solver made = solver.make({.tolerance = accuracy, .step = accuracy});
       table.rows.push_back({solver.name,
-                            solver.accuracy == dynamics::Accuracy::closed_form
+                            solver.accuracy == dynamics::AccuracyKind::closed_form
                                 ? "-"
                                 : fmt::format("{:.2g}", accuracy),
                             below(worst_drift(made, "db4", 32, 0, 0, times), no_increase),
@@ -138,7 +138,8 @@ Chart energy_chart() {
   for (const auto& [solver, accuracy] : curves) {
     chart.data.columns.push_back(accuracy == 1e-9 ? solver
                                                   : fmt::format("{}, {:.2g}", solver, accuracy));
-    values.push_back(energies(problem, dynamics::find_solver(solver).make(accuracy)(problem)));
+    values.push_back(energies(problem, dynamics::find_solver(solver).make(
+                                           {.tolerance = accuracy, .step = accuracy})(problem)));
   }
   for (Index i = 0; i < times.size(); ++i) {
     std::vector<std::string> row = {fmt::format("{:.2f}", times[i])};

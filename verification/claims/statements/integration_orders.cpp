@@ -13,7 +13,7 @@
 
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/solver.hpp"
-#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
+#include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
 #include "wavecurve/dynamics/stepping/massless.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 
@@ -37,10 +37,11 @@ constexpr Index samples = 32;
 /// steps get shorter.
 constexpr double agreement = 0.15, excess = 0.5;
 
-const wavecurve::dynamics::Material elastic = {1, 1, 0, 0, 0, 0};
+const wavecurve::dynamics::Material elastic{};
 /// At t = 1 a fifteenth of the star is left, and explicit Euler is stable up to steps of 0.1 at
 /// least, 2 s_2.
-const wavecurve::dynamics::Material massless = {0, 0.1, 0, 0, 0.05, 20};
+const wavecurve::dynamics::Material massless = {
+    .density = 0, .stiffness = 0.1, .stiffness_damping = 0.05, .damping_density = 20};
 
 dynamics::InitialValueProblem problem_of(const wavecurve::dynamics::Material& material) {
   const dynamics::LagrangeSystem system(find_filter_bank<double>("db4"), samples,
@@ -63,9 +64,9 @@ template <class Stepper>
 Measured in_equal_steps(int steps) {
   const dynamics::InitialValueProblem problem = problem_of(elastic);
   dynamics::EquationOfMotion motion(problem, false);
-  const Index half = problem.displacement.size();
+  const Index half = problem.initial_displacement.size();
   State state(static_cast<std::size_t>(2 * half), 0.0);
-  std::copy_n(problem.displacement.data(), half, state.begin());
+  std::copy_n(problem.initial_displacement.data(), half, state.begin());
   const auto derivative = [&](const State& x, State& dxdt, double t) {
     using In = Eigen::Map<const Eigen::MatrixXd>;
     std::copy(x.begin() + half, x.end(), dxdt.begin());
@@ -112,7 +113,8 @@ Method of_solver(const char* name, const char* solver, int nominal,
   Method method{name, nominal, "evaluations", {}};
   const dynamics::InitialValueProblem problem = problem_of(elastic);
   for (const double accuracy : accuracies) {
-    const dynamics::Trajectory solution = dynamics::find_solver(solver).make(accuracy)(problem);
+    const dynamics::Trajectory solution =
+        dynamics::find_solver(solver).make({.tolerance = accuracy, .step = accuracy})(problem);
     method.points.push_back(
         measured(problem, solution, static_cast<double>(solution.cost.evaluations)));
   }

@@ -1,6 +1,6 @@
 #include "wavecurve/dynamics/modal/decoupled.hpp"
 
-#include "wavecurve/dynamics/modal/modal_solution.hpp"
+#include "wavecurve/dynamics/modal/detail/modal_solution.hpp"
 
 namespace wavecurve::dynamics {
 

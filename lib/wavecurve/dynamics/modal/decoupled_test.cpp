@@ -42,7 +42,7 @@ Eigen::MatrixXd dense_solution(const InitialValueProblem& problem, bool blocks, 
       kept(wavecurve::gram(system.bank(), system.samples(), system.levels()), system, blocks);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(stiffness, mass);
   const Eigen::MatrixXd& v = eigen.eigenvectors();  // V^T M V = I
-  const Eigen::MatrixXd start = v.transpose() * mass * problem.displacement;
+  const Eigen::MatrixXd start = v.transpose() * mass * problem.initial_displacement;
   const Eigen::MatrixXd force = v.transpose() * gram * problem.force.constant;
   Eigen::MatrixXd modes = start;
   const Material& m = system.material();
@@ -58,15 +58,17 @@ TEST(Decoupled, IsTheSystemWithoutItsOffDiagonals) {
   for (const std::string filter : {"db4", "coif2", "bspline4.4", "cdf9.7"}) {
     for (const int levels : {0, 2, 5}) {
       InitialValueProblem problem = smooth_problem(filter, 32, {});
-      problem.system = LagrangeSystem(problem.system.bank(), 32, levels, {2, 0.7, 0, 0.3, 1e-3, 0});
-      problem.displacement = Eigen::MatrixXd::Random(32, 2);
+      problem.system = LagrangeSystem(
+          problem.system.bank(), 32, levels,
+          {.density = 2, .stiffness = 0.7, .mass_damping = 0.3, .stiffness_damping = 1e-3});
+      problem.initial_displacement = Eigen::MatrixXd::Random(32, 2);
       problem.force.constant = Eigen::MatrixXd::Random(32, 2);
       const Trajectory diagonal = solve_decoupled(problem);
       const Trajectory blocks = solve_block_decoupled(problem);
       for (std::size_t i = 0; i < 5; ++i) {
         const double t = problem.times[static_cast<Eigen::Index>(i)];
         // The eigenvalues, up to 1e4, are as exact as the largest: 1e4 units, of a phase sqrt(k) t.
-        const double bound = 1e5 * epsilon * problem.displacement.norm();
+        const double bound = 1e5 * epsilon * problem.initial_displacement.norm();
         EXPECT_LT((diagonal.displacement[i] - dense_solution(problem, false, t)).norm(), bound)
             << filter << levels;
         EXPECT_LT((blocks.displacement[i] - dense_solution(problem, true, t)).norm(), bound)
@@ -78,7 +80,8 @@ TEST(Decoupled, IsTheSystemWithoutItsOffDiagonals) {
 
 TEST(Decoupled, BlocksAreExactWithoutLevels) {
   InitialValueProblem problem = smooth_problem("db4", 32, {});
-  problem.system = LagrangeSystem(problem.system.bank(), 32, 0, {1, 1, 0, 0.1, 1e-3, 0});
+  problem.system = LagrangeSystem(problem.system.bank(), 32, 0,
+                                  {.mass_damping = 0.1, .stiffness_damping = 1e-3});
   const Trajectory blocks = solve_block_decoupled(problem);
   const Trajectory exact = solve_spectral(problem);
   EXPECT_LT(largest_difference(blocks.displacement, exact.displacement), 1e4 * epsilon);
@@ -87,7 +90,7 @@ TEST(Decoupled, BlocksAreExactWithoutLevels) {
 TEST(Decoupled, IsFarFromTheCoupledMotion) {
   // What the publication calls small is not: the error is of the size of the displacement.
   const InitialValueProblem problem = smooth_problem("db4", 64, {});
-  const double scale = problem.displacement.norm();
+  const double scale = problem.initial_displacement.norm();
   const Trajectory exact = solve_spectral(problem);
   EXPECT_GT(largest_difference(solve_decoupled(problem).displacement, exact.displacement), scale);
 }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wavecurve/dynamics/modal/exponential_difference.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/dynamics/modal/detail/exponential_difference.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 

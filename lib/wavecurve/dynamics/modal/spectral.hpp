@@ -9,7 +9,7 @@ namespace wavecurve::dynamics {
 /// oscillator a frequency, each in closed form (oscillator.hpp). O(samples log samples) for any
 /// time, without steps. Constant and harmonic forces are part of the closed form, and density 0
 /// (the massless equation C q' + K q = Q) is one more case of it. With general forces there are
-/// steps, of an exponential integrator (exponential_integrator.hpp), whose tolerance is the one
+/// steps, of an exponential integrator, whose tolerance is the one
 /// given here.
 ///
 /// The error is rounding alone: relative to the largest part of the state that the energy allows,

@@ -31,20 +31,22 @@ InitialValueProblem random_problem() {
       *rc::gen::element<std::string>("db4", "coif2", "sym5", "bspline4.4", "cdf9.7"));
   const int log2 = *rc::gen::inRange(0, 6);
   const Eigen::Index samples = Eigen::Index{1} << log2;
-  const Material material = {0.1 + share(), share(), 0, share(), 0.01 * share(), share()};
+  const Material material = {.density = 0.1 + share(),
+                             .stiffness = share(),
+                             .mass_damping = share(),
+                             .stiffness_damping = 0.01 * share(),
+                             .damping_density = share()};
   InitialValueProblem problem = {
-      LagrangeSystem(bank, samples, *rc::gen::inRange(0, log2 + 1), material),
-      random_state(samples, *rc::gen::inRange(1, 4)),
-      {},
-      Eigen::Vector3d(0, share(), 1 + share()),
-      {},
-      {}};
-  const Eigen::Index coordinates = problem.displacement.cols();
-  if (*rc::gen::arbitrary<bool>()) problem.velocity = random_state(samples, coordinates);
+      .system = LagrangeSystem(bank, samples, *rc::gen::inRange(0, log2 + 1), material),
+      .initial_displacement = random_state(samples, *rc::gen::inRange(1, 4)),
+      .times = Eigen::Vector3d(0, share(), 1 + share())};
+  const Eigen::Index coordinates = problem.initial_displacement.cols();
+  if (*rc::gen::arbitrary<bool>()) problem.initial_velocity = random_state(samples, coordinates);
   if (*rc::gen::arbitrary<bool>()) problem.force.constant = random_state(samples, coordinates);
   if (*rc::gen::arbitrary<bool>()) {
-    problem.force.harmonic.push_back(
-        {10 * share(), random_state(samples, coordinates), random_state(samples, coordinates)});
+    problem.force.harmonic.push_back({.omega = 10 * share(),
+                                      .cosine = random_state(samples, coordinates),
+                                      .sine = random_state(samples, coordinates)});
   }
   return problem;
 }
@@ -80,8 +82,10 @@ RC_GTEST_PROP(Spectral, IsTheMatrixExponential, ()) {
 
 TEST(Spectral, IsTheMatrixExponentialInDoubleAtLargerSizes) {
   for (const char* name : {"coif2", "cdf9.7"}) {
-    const LagrangeSystem system(find_filter_bank<double>(name), 128, 7, {1, 1, 0, 0.5, 1e-4, 0});
-    InitialValueProblem problem = {system, Eigen::MatrixXd::Random(128, 1), {}, {}, {}, {}};
+    const LagrangeSystem system(find_filter_bank<double>(name), 128, 7,
+                                {.mass_damping = 0.5, .stiffness_damping = 1e-4});
+    InitialValueProblem problem = {.system = system,
+                                   .initial_displacement = Eigen::MatrixXd::Random(128, 1)};
     problem.times = Eigen::VectorXd::Constant(1, 0.3);
     problem.force.constant = Eigen::MatrixXd::Random(128, 1);
     const Trajectory exact = plain::solve_matrix_exponential<double>(problem);
@@ -96,7 +100,7 @@ TEST(Spectral, IsTheMatrixExponentialInDoubleAtLargerSizes) {
 
 TEST(Spectral, TendsToTheUndampedMotionAsTheDampingVanishes) {
   const auto solution = [](double s2) {
-    const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0, s2, 0});
+    const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {.stiffness_damping = s2});
     return solve_spectral(
         {system,
          uniform_density(system, Eigen::RowVector2d(1, 2)) + Eigen::MatrixXd::Identity(64, 2),
@@ -115,8 +119,10 @@ TEST(Spectral, TendsToTheUndampedMotionAsTheDampingVanishes) {
 }
 
 TEST(Spectral, EquallySpacedTimesGiveWhatSingleTimesGive) {
-  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0.3, 1e-4, 0});
-  InitialValueProblem problem = {system, Eigen::MatrixXd::Random(64, 2), {}, {}, {}, {}};
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6,
+                              {.mass_damping = 0.3, .stiffness_damping = 1e-4});
+  InitialValueProblem problem = {.system = system,
+                                 .initial_displacement = Eigen::MatrixXd::Random(64, 2)};
   problem.force.constant = uniform_density(system, Eigen::RowVector2d(0, 3));
   problem.times = Eigen::VectorXd::LinSpaced(61, 0, 3);
   const Trajectory all = solve_spectral(problem);
@@ -134,15 +140,17 @@ TEST(Spectral, EquallySpacedTimesGiveWhatSingleTimesGive) {
 }
 
 TEST(Spectral, OneFrameWithoutVelocitiesIsTheSame) {
-  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6, {1, 1, 0, 0.3, 1e-4, 0});
+  const LagrangeSystem system(find_filter_bank<double>("db4"), 64, 6,
+                              {.mass_damping = 0.3, .stiffness_damping = 1e-4});
   for (const bool at_rest : {false, true}) {
     for (const bool is_free : {false, true}) {
-      InitialValueProblem problem = {system, Eigen::MatrixXd::Random(64, 2), {}, {}, {}, {}};
+      InitialValueProblem problem = {.system = system,
+                                     .initial_displacement = Eigen::MatrixXd::Random(64, 2)};
       problem.times = Eigen::VectorXd::Constant(1, 0.7);
-      if (!at_rest) problem.velocity = Eigen::MatrixXd::Random(64, 2);
+      if (!at_rest) problem.initial_velocity = Eigen::MatrixXd::Random(64, 2);
       if (!is_free) problem.force.constant = uniform_density(system, Eigen::RowVector2d(0, 3));
       const Trajectory whole = solve_spectral(problem);
-      problem.velocities = false;
+      problem.with_velocities = false;
       EXPECT_EQ(solve_spectral(problem).displacement[0], whole.displacement[0]);
     }
   }
@@ -157,12 +165,14 @@ double energy(const LagrangeSystem& system, const Eigen::MatrixXd& q, const Eige
 TEST(Spectral, ConservesTheEnergyUndampedAndNeverGainsDamped) {
   for (const char* name : {"db4", "bspline4.4"}) {
     for (const double s2 : {0.0, 1e-3}) {
-      const LagrangeSystem system(find_filter_bank<double>(name), 128, 5, {2, 3, 0, 0, s2, 0});
-      const InitialValueProblem problem = {system, Eigen::MatrixXd::Random(128, 2),
-                                           {},     Eigen::VectorXd::LinSpaced(33, 0, 10),
-                                           {},     {}};
+      const LagrangeSystem system(find_filter_bank<double>(name), 128, 5,
+                                  {.density = 2, .stiffness = 3, .stiffness_damping = s2});
+      const InitialValueProblem problem = {.system = system,
+                                           .initial_displacement = Eigen::MatrixXd::Random(128, 2),
+                                           .times = Eigen::VectorXd::LinSpaced(33, 0, 10)};
       const Trajectory trajectory = solve_spectral(problem);
-      const double start = energy(system, problem.displacement, Eigen::MatrixXd::Zero(128, 2));
+      const double start =
+          energy(system, problem.initial_displacement, Eigen::MatrixXd::Zero(128, 2));
       double last = start;
       for (std::size_t i = 0; i < trajectory.displacement.size(); ++i) {
         const double now = energy(system, trajectory.displacement[i], trajectory.velocity[i]);
@@ -178,9 +188,10 @@ TEST(Spectral, ConservesTheEnergyUndampedAndNeverGainsDamped) {
 }
 
 TEST(Spectral, ATranslationFallsFreely) {
-  const LagrangeSystem system(find_filter_bank<double>("coif2"), 32, 3, {2, 1, 0, 0, 0, 0});
-  InitialValueProblem problem = {
-      system, Eigen::MatrixXd::Zero(32, 2), {}, Eigen::Vector2d(1, 3), {}, {}};
+  const LagrangeSystem system(find_filter_bank<double>("coif2"), 32, 3, {.density = 2});
+  InitialValueProblem problem = {.system = system,
+                                 .initial_displacement = Eigen::MatrixXd::Zero(32, 2),
+                                 .times = Eigen::Vector2d(1, 3)};
   problem.force.constant = uniform_density(system, Eigen::RowVector2d(0, 5));
   const Trajectory trajectory = solve_spectral(problem);
   const Eigen::MatrixXd expected = uniform_density(system, Eigen::RowVector2d(0, 5.0 / 2 * 9 / 2));
@@ -189,19 +200,18 @@ TEST(Spectral, ATranslationFallsFreely) {
 
 TEST(Spectral, RefusesWhatDoesNotFit) {
   const auto bank = find_filter_bank<double>("db4");
-  InitialValueProblem problem = {LagrangeSystem(bank, 16, 2, {0, 1, 0, 0, 1, 0}),
-                                 Eigen::MatrixXd::Random(16, 2),
-                                 {},
-                                 Eigen::Vector2d(0, 1),
-                                 {},
-                                 {}};
+  InitialValueProblem problem = {
+      .system = LagrangeSystem(bank, 16, 2, {.density = 0, .stiffness_damping = 1}),
+      .initial_displacement = Eigen::MatrixXd::Random(16, 2),
+      .times = Eigen::Vector2d(0, 1)};
   EXPECT_THROW(solve_spectral(problem), std::domain_error);
   problem.system = LagrangeSystem(bank, 16, 2, {});
   EXPECT_NO_THROW(solve_spectral(problem));
   problem.times = Eigen::Vector2d(1, 0);
   EXPECT_THROW(solve_spectral(problem), std::invalid_argument);
   problem.times = Eigen::Vector2d(0, 1);
-  EXPECT_THROW(LagrangeSystem(bank, 16, 2, {-1, 1, 0, 0, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(LagrangeSystem(bank, 16, 2, {.density = -1, .stiffness_damping = 1}),
+               std::invalid_argument);
   EXPECT_THROW(LagrangeSystem(bank, 16, 5, {}), std::invalid_argument);
   EXPECT_THROW(LagrangeSystem(find_filter_bank<double>("db2"), 16, 4, {}), std::domain_error);
 }

@@ -14,8 +14,8 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <fmt/format.h>
 
-#include "wavecurve/dynamics/stepping/equation_of_motion.hpp"
-#include "wavecurve/dynamics/tolerance.hpp"
+#include "wavecurve/dynamics/detail/tolerance.hpp"
+#include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -98,10 +98,10 @@ class Integration {
       : problem_(problem),
         motion_(problem, dense),
         rows_(problem.system.samples()),
-        columns_(problem.displacement.cols()),
+        columns_(problem.initial_displacement.cols()),
         state_(static_cast<std::size_t>(2 * rows_ * columns_)) {
-    block(state_, 0) = problem.displacement;
-    if (problem.velocity.size() > 0) block(state_, 1) = problem.velocity;
+    block(state_, 0) = problem.initial_displacement;
+    if (problem.initial_velocity.size() > 0) block(state_, 1) = problem.initial_velocity;
   }
 
   /// The right-hand side.
@@ -163,7 +163,7 @@ class Integration {
       for (const double time : problem_.times) {
         const State& state = *reach(time);
         trajectory.displacement.push_back(block(state, 0));
-        if (problem_.velocities) trajectory.velocity.push_back(block(state, 1));
+        if (problem_.with_velocities) trajectory.velocity.push_back(block(state, 1));
         trajectory.cost = motion_.cost();
         trajectory.cost.operations += stage_operations_;
       }

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/dynamics/detail/tolerance.hpp"
 #include "wavecurve/dynamics/schulz_inverse.hpp"
-#include "wavecurve/dynamics/stepping/fixed_steps.hpp"
-#include "wavecurve/dynamics/stepping/residual_force.hpp"
-#include "wavecurve/dynamics/stepping/shifted_solver.hpp"
-#include "wavecurve/dynamics/tolerance.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/dynamics/stepping/detail/fixed_steps.hpp"
+#include "wavecurve/dynamics/stepping/detail/residual_force.hpp"
+#include "wavecurve/dynamics/stepping/detail/shifted_solver.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -48,7 +48,10 @@ class SchulzSolver : public ShiftedSolver {
 class Massless {
  public:
   Massless(const InitialValueProblem& problem, MasslessMethod method)
-      : system_(problem.system), method_(method), balance_(problem), q_(problem.displacement) {
+      : system_(problem.system),
+        method_(method),
+        balance_(problem),
+        q_(problem.initial_displacement) {
     velocity_ = Eigen::MatrixXd::Zero(q_.rows(), q_.cols());
     if (method == MasslessMethod::schulz_euler) {
       damping_ = std::make_unique<SchulzSolver>(system_.damping());

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/animations/control_points.hpp"
-#include "wavecurve/io/drawings/svg_paint.hpp"
-#include "wavecurve/io/files/xml_escaped.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 namespace wavecurve::io {
 

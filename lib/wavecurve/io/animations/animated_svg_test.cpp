@@ -9,7 +9,7 @@
 
 #include "wavecurve/io/animations/animation_sheet.hpp"
 #include "wavecurve/io/animations/animation_test.hpp"
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 
 namespace wavecurve::io {
 namespace {

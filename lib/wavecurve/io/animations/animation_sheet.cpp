@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/io/animations/control_points.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 
 namespace wavecurve::io {
 

@@ -8,9 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/io/animations/control_points.hpp"
-#include "wavecurve/io/json_values.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
 
 namespace wavecurve::io {
 

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/io/animations/animation_test.hpp"
-#include "wavecurve/io/animations/raster.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
 
 namespace wavecurve::io {
 namespace {

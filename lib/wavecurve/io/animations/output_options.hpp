@@ -16,7 +16,7 @@ struct OutputOptions {
   /// Of written coordinates, as a share of the longer side of the view box.
   double accuracy = 1e-4;
   /// Of a page; empty: the name of the file.
-  std::string title;
+  std::string title = {};
   /// Plays for ever, not once. There is no jump in an animation that went there_and_back, as a
   /// morph does for this.
   bool loop = false;
@@ -25,7 +25,7 @@ struct OutputOptions {
   /// Behind the layers, in formats that are not transparent.
   Colour background{1, 1, 1};
   /// Called after each rendered frame with the number done and the number of all.
-  std::function<void(int, int)> progress;
+  std::function<void(int, int)> progress = {};
 };
 
 }  // namespace wavecurve::io

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "wavecurve/io/animations/animated_svg.hpp"
-#include "wavecurve/io/animations/html_player.hpp"
+#include "wavecurve/io/animations/detail/html_player.hpp"
+#include "wavecurve/io/animations/detail/write_frames.hpp"
+#include "wavecurve/io/animations/detail/write_video.hpp"
 #include "wavecurve/io/animations/lottie.hpp"
-#include "wavecurve/io/animations/write_frames.hpp"
-#include "wavecurve/io/animations/write_video.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/motion/there_and_back.hpp"
 

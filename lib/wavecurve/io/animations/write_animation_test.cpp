@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/io/animations/animation_test.hpp"
-#include "wavecurve/io/animations/html_player.hpp"
+#include "wavecurve/io/animations/detail/html_player.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 

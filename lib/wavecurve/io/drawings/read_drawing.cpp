@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/io/drawings/read_points.hpp"
-#include "wavecurve/io/drawings/svg/read_svg.hpp"
+#include "wavecurve/io/drawings/detail/read_points.hpp"
+#include "wavecurve/io/drawings/detail/svg/read_svg.hpp"
+#include "wavecurve/io/files/detail/text.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/files/text.hpp"
 
 namespace wavecurve::io {
 

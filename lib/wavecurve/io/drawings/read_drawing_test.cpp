@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/io/drawings/svg/drawing_test.hpp"
+#include "wavecurve/io/drawings/detail/svg/drawing_test.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {

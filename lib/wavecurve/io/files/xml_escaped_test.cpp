@@ -1,4 +1,4 @@
-#include "wavecurve/io/files/xml_escaped.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "wavecurve/io/drawings/read_points.hpp"
-#include "wavecurve/io/fuzz/check_drawing.hpp"
+#include "wavecurve/io/drawings/detail/read_points.hpp"
+#include "wavecurve/io/fuzz/check_drawing_test.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   try {

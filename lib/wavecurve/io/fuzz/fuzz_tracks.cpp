@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "wavecurve/io/fuzz/check_drawing.hpp"
-#include "wavecurve/io/tracks/track_table.hpp"
+#include "wavecurve/io/fuzz/check_drawing_test.hpp"
+#include "wavecurve/io/tracks/detail/track_table.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/detail/json_values.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/json_values.hpp"
 
 namespace wavecurve::io {
 

@@ -9,15 +9,15 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/curves/signed_area.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
-#include "wavecurve/io/files/natural_order.hpp"
-#include "wavecurve/io/files/read_gzip.hpp"
-#include "wavecurve/io/files/text.hpp"
-#include "wavecurve/io/tracks/track_table.hpp"
-#include "wavecurve/motion/gait/record/body_frame.hpp"
-#include "wavecurve/motion/gait/record/skin_joints.hpp"
-#include "wavecurve/motion/gait/record/track_outlines.hpp"
+#include "wavecurve/io/files/detail/natural_order.hpp"
+#include "wavecurve/io/files/detail/read_gzip.hpp"
+#include "wavecurve/io/files/detail/text.hpp"
+#include "wavecurve/io/tracks/detail/track_table.hpp"
+#include "wavecurve/motion/gait/record/detail/body_frame.hpp"
+#include "wavecurve/motion/gait/record/detail/skin_joints.hpp"
+#include "wavecurve/motion/gait/record/detail/track_outlines.hpp"
 
 namespace wavecurve::io {
 

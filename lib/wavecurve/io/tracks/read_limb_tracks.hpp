@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/motion/gait/record/limb_tracks.hpp"
 
 namespace wavecurve::io {

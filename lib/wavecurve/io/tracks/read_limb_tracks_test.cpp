@@ -10,13 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/curves/signed_area.hpp"
-#include "wavecurve/io/drawings/svg/drawing_test.hpp"
+#include "wavecurve/io/drawings/detail/svg/drawing_test.hpp"
+#include "wavecurve/io/files/detail/read_gzip.hpp"
 #include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/files/read_gzip.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/motion/gait/record/canine_joints.hpp"
-#include "wavecurve/motion/gait/record/skin_joints.hpp"
-#include "wavecurve/motion/gait/record/track_outlines.hpp"
+#include "wavecurve/motion/gait/record/detail/skin_joints.hpp"
+#include "wavecurve/motion/gait/record/detail/track_outlines.hpp"
 
 namespace wavecurve::io {
 namespace {

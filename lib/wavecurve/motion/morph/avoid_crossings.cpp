@@ -8,7 +8,7 @@
 
 #include "wavecurve/curves/crossings.hpp"
 #include "wavecurve/motion/morph/contour_morph.hpp"
-#include "wavecurve/motion/morph/pair_contours.hpp"
+#include "wavecurve/motion/morph/detail/pair_contours.hpp"
 
 namespace wavecurve::motion {
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/motion/morph/morph.hpp"
 
 namespace wavecurve::motion {

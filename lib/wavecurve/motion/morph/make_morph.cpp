@@ -10,9 +10,9 @@
 #include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/curves/signed_area.hpp"
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/motion/blend_paint.hpp"
-#include "wavecurve/motion/morph/pair_contours.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/motion/detail/blend_paint.hpp"
+#include "wavecurve/motion/morph/detail/pair_contours.hpp"
 
 namespace wavecurve::motion {
 

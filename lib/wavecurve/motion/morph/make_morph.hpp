@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/curves/correspondence.hpp"
 #include "wavecurve/curves/drawing.hpp"
 #include "wavecurve/motion/morph/match_layers.hpp"

@@ -7,7 +7,7 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/motion/check_animation.hpp"
+#include "wavecurve/motion/detail/check_animation.hpp"
 
 namespace wavecurve::motion {
 namespace {

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/signed_area.hpp"
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/motion/morph/assignment.hpp"
-#include "wavecurve/motion/morph/painting_order.hpp"
-#include "wavecurve/motion/oklab.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/motion/detail/oklab.hpp"
+#include "wavecurve/motion/morph/detail/assignment.hpp"
+#include "wavecurve/motion/morph/detail/painting_order.hpp"
 
 namespace wavecurve::motion {
 

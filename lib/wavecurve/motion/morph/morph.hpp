@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/curves/contour.hpp"
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/animation.hpp"

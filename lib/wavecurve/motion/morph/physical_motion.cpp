@@ -13,7 +13,7 @@
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/solver.hpp"
 #include "wavecurve/dynamics/translation.hpp"
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/motion/morph/contour_morph.hpp"
 
 namespace wavecurve::motion {
@@ -45,17 +45,17 @@ dynamics::InitialValueProblem released(const Morph& morph, const MorphLayer& lay
   check_scale(morph, layer, samples);
   int levels = morph.levels;
   for (Index size = scale; size < samples; size *= 2) --levels;
-  const Eigen::MatrixXd displacement =
-      (pair.source - pair.destination).topRows(scale) / coarse_factor(samples, scale);
-  return {
-      dynamics::LagrangeSystem(morph.bank, scale, levels, material), displacement, {}, {}, {}, {}};
+  return {.system = dynamics::LagrangeSystem(morph.bank, scale, levels, material),
+          .initial_displacement =
+              (pair.source - pair.destination).topRows(scale) / coarse_factor(samples, scale)};
 }
 
 /// Of the mean, thrown so that it is back at the last of the times.
 Eigen::RowVector2d arc(const PhysicalOptions& options, double time, double last) {
   const dynamics::Material& material = options.material;
   const dynamics::Oscillator mean{
-      material.density, material.damping_density + material.mass_damping * material.density, 0};
+      .rho = material.density,
+      .c = material.damping_density + material.mass_damping * material.density};
   const dynamics::Propagator now = dynamics::propagator(mean, time),
                              end = dynamics::propagator(mean, last);
   return (now.qf - now.qv / end.qv * end.qf) * options.force;
@@ -65,10 +65,9 @@ Eigen::RowVector2d arc(const PhysicalOptions& options, double time, double last)
 std::vector<Eigen::MatrixXd> solve(dynamics::InitialValueProblem problem,
                                    const PhysicalOptions& options, double until) {
   problem.times = VectorXd::LinSpaced(options.frames, 0, until);
-  problem.velocities = false;
-  const dynamics::NamedSolver& named = dynamics::find_solver(options.solver);
+  problem.with_velocities = false;
   const dynamics::Solver solver =
-      named.make(named.accuracy == dynamics::Accuracy::step ? until / 2048 : 1e-6);
+      dynamics::find_solver(options.solver).make({.tolerance = 1e-6, .step = until / 2048});
   auto displacement =
       dynamics::with_translation(solver, dynamics::Translation::interpolated)(problem).displacement;
   if (options.force.isZero(0)) return displacement;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/transform/detail/rotation_kernels.hpp"
 
 namespace wavecurve {

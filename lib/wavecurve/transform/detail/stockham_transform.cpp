@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/filters/whole_numbers.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/transform/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/stockham_transform.cpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/motion/gait/model/control_points.hpp"
+#include "wavecurve/motion/gait/model/detail/control_points.hpp"
 #include "wavecurve/motion/gait/model/fit_subcycles.hpp"
 
 namespace wavecurve::gait {

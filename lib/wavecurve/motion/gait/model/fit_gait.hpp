@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/gait/model/fit_models.hpp"
 #include "wavecurve/motion/gait/model/gait_parameters.hpp"

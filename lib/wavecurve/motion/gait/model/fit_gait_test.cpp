@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/motion/gait/model/control_points.hpp"
+#include "wavecurve/motion/gait/model/detail/control_points.hpp"
 #include "wavecurve/motion/gait/record/planted_gait_test.hpp"
 #include "wavecurve/motion/gait/walk/ground_contact.hpp"
 #include "wavecurve/motion/gait/walk/synthesize_gait.hpp"

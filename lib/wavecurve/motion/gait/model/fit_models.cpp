@@ -2,10 +2,14 @@
 
 #include <cmath>
 
-#include "wavecurve/motion/gait/model/deviation_basis.hpp"
-#include "wavecurve/motion/gait/model/fit_gammas.hpp"
-#include "wavecurve/motion/gait/model/level_gammas.hpp"
-#include "wavecurve/motion/gait/model/model_table.hpp"
+#include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_gammas.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_oscillator.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_series.hpp"
+#include "wavecurve/motion/gait/model/detail/level_gammas.hpp"
+#include "wavecurve/motion/gait/model/detail/model_table.hpp"
+#include "wavecurve/transform/bands.hpp"
+#include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve::gait {
 

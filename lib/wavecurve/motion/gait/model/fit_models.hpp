@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/gait/model/gait_parameters.hpp"
 #include "wavecurve/motion/gait/model/phase_data.hpp"

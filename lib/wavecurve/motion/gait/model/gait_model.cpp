@@ -5,13 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/motion/gait/model/deviation_basis.hpp"
-#include "wavecurve/motion/gait/model/fit_gammas.hpp"
-#include "wavecurve/motion/gait/model/fit_oscillator.hpp"
-#include "wavecurve/motion/gait/model/fit_series.hpp"
-#include "wavecurve/motion/gait/model/level_gammas.hpp"
-#include "wavecurve/motion/gait/model/model_table.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_gammas.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_oscillator.hpp"
+#include "wavecurve/motion/gait/model/detail/fit_series.hpp"
+#include "wavecurve/motion/gait/model/detail/level_gammas.hpp"
+#include "wavecurve/motion/gait/model/detail/model_table.hpp"
 
 namespace wavecurve::gait {
 

@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/motion/gait/model/model_table.hpp"
+#include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
+#include "wavecurve/motion/gait/model/detail/model_table.hpp"
 
 namespace wavecurve::gait {
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "wavecurve/filters/bad_value.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::gait {
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "wavecurve/motion/gait/record/canine_gaits.hpp"
-#include "wavecurve/motion/gait/record/check_tracks.hpp"
-#include "wavecurve/motion/gait/record/turning_points.hpp"
+#include "wavecurve/motion/gait/record/detail/check_tracks.hpp"
+#include "wavecurve/motion/gait/record/detail/turning_points.hpp"
 
 namespace wavecurve::gait {
 

@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include <Eigen/Core>
+
 #include "wavecurve/motion/gait/record/canine_gaits.hpp"
 #include "wavecurve/motion/gait/record/limb_tracks.hpp"
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
-#include "wavecurve/filters/bad_value.hpp"
-#include "wavecurve/motion/gait/model/control_points.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/motion/gait/model/detail/control_points.hpp"
+#include "wavecurve/motion/gait/walk/detail/walking_limb.hpp"
 #include "wavecurve/motion/gait/walk/synthesize_gait.hpp"
-#include "wavecurve/motion/gait/walk/walking_limb.hpp"
 
 namespace wavecurve::gait {
 

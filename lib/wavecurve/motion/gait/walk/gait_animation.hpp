@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "wavecurve/curves/drawing.hpp"
 #include "wavecurve/filters/filter_bank.hpp"
 #include "wavecurve/motion/animation.hpp"
@@ -32,7 +34,7 @@ struct GaitAnimation {
   double slide = 0, slide_before = 0, lift = 0;
 };
 
-/// The layers LF, RF, LH, RH of a drawing moved by a fitted gait (limb_rig.hpp), each in its pose
+/// The layers LF, RF, LH, RH of a drawing moved by a fitted gait, each in its pose
 /// as drawn when the recorded foot is where the drawn one is; the other layers go with the body,
 /// whose ends move as the limbs' hinges do, fore and hind, on average.
 ///

@@ -7,7 +7,7 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/motion/check_animation.hpp"
+#include "wavecurve/motion/detail/check_animation.hpp"
 #include "wavecurve/motion/gait/model/fit_gait.hpp"
 #include "wavecurve/motion/gait/record/planted_gait_test.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/motion/gait/model/detail/control_points.hpp"
 #include "wavecurve/motion/gait/walk/ground_contact.hpp"
 
 namespace wavecurve::gait {

@@ -3,6 +3,11 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "wavecurve/curves/drawing.hpp"
+#include "wavecurve/filters/filter_bank.hpp"
+#include "wavecurve/motion/animation.hpp"
 #include "wavecurve/motion/gait/model/gait_parameters.hpp"
 #include "wavecurve/motion/gait/record/canine_gaits.hpp"
 

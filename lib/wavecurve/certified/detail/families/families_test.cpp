@@ -1,0 +1,133 @@
+#include "wavecurve/certified/detail/families/families.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/certified/detail/relations.hpp"
+#include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/autocorrelation.hpp"
+
+namespace wavecurve::certified {
+namespace {
+
+constexpr long bits = 160;
+
+class EveryFilter : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryFilter, SatisfiesEveryRelation) {
+  const auto bank = find_filter(GetParam()).bank(bits);
+  const WorkingPrecision precision(2 * bits);
+  for (const auto& relation : filter_relations(bank, sqrt(Ball(2)))) {
+    EXPECT_TRUE(relation.residual.contains_zero()) << relation.equation;
+    // A wide enclosure would contain zero without saying anything. The longest sums, alternating
+    // moments k^(N-1) with k < 2N, lose N log2(2N) bits of the taps' accuracy.
+    const double lost = bank.vanishing_moments * std::log2(2.0 * bank.synthesis_low.size()) + 20;
+    EXPECT_LT(relation.residual.radius_double(), std::exp2(lost - bits)) << relation.equation;
+  }
+}
+
+TEST_P(EveryFilter, HasTheAccuracyAskedFor) {
+  for (const Ball& tap : find_filter(GetParam()).bank(bits).synthesis_low.taps) {
+    EXPECT_TRUE(tap.is_exact() || tap.accuracy_bits() >= bits);
+  }
+}
+
+TEST_P(EveryFilter, EnclosesTheTapsOfAHigherPrecision) {
+  const auto definition = find_filter(GetParam());
+  const auto bank = definition.bank(64), truth = definition.bank(2 * bits);
+  for (int i = 0; i < truth.synthesis_low.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    EXPECT_TRUE(bank.synthesis_low.taps[k].contains(truth.synthesis_low.taps[k])) << i;
+  }
+}
+
+TEST_P(EveryFilter, HasExactlyTheClaimedZerosAtPi) {
+  const auto bank = find_filter(GetParam()).bank(bits);
+  const WorkingPrecision precision(2 * bits);
+  EXPECT_EQ(zeros_at_pi(bank.synthesis_low), bank.vanishing_moments);
+  EXPECT_EQ(zeros_at_pi(bank.analysis_low), bank.dual_vanishing_moments);
+}
+
+TEST_P(EveryFilter, ExactAutocorrelationLiesInTheEnclosure) {
+  const auto definition = find_filter(GetParam());
+  if (!definition.exact) return;
+  const WorkingPrecision precision(2 * bits);
+  const auto bank = definition.bank(bits);
+  const auto alpha = autocorrelation(bank.synthesis_low);
+  ASSERT_EQ(alpha.size(), definition.exact->synthesis.size());
+  for (int n = 0; n < alpha.size(); ++n) {
+    EXPECT_TRUE(alpha[n].contains(definition.exact->synthesis[n])) << n;
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  for (char& c : name) c = c == '.' ? '_' : c;
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, EveryFilter,
+                         testing::Values("db1", "db2", "db3", "db4", "db7", "db10", "db20", "db38",
+                                         "sym2", "sym4", "sym7", "sym11", "sym16", "sym20", "coif1",
+                                         "coif2", "coif3", "coif4", "coif5", "coif9", "coif17",
+                                         "cdf9.7", "bspline1.1", "bspline1.5", "bspline2.2",
+                                         "bspline3.1", "bspline4.4", "bspline7.3", "bspline20.20"),
+                         test_name);
+
+TEST(Coiflets, ScalingFunctionHasVanishingMoments) {
+  for (int order = 1; order <= 6; ++order) {
+    const auto low = find_filter("coif" + std::to_string(order)).bank(bits).synthesis_low;
+    const WorkingPrecision precision(2 * bits);
+    EXPECT_EQ(low.first_index, -2 * order);
+    for (int j = 1; j < 2 * order; ++j) {
+      Ball moment(0);
+      for (int n = low.first_index; n <= low.last_index(); ++n) {
+        Ball power(1);
+        for (int i = 0; i < j; ++i) power *= Ball(n);
+        moment += power * low[n];
+      }
+      EXPECT_TRUE(moment.contains_zero()) << order << " " << j;
+      EXPECT_LT(moment.radius_double(), 1e-25);
+    }
+  }
+}
+
+TEST(Daubechies, FirstOrdersHaveTheirClosedForms) {
+  const WorkingPrecision precision(bits);
+  const auto db2 = find_filter("D4").bank(bits).synthesis_low;
+  const Ball root_three = sqrt(Ball(3)), scale = Ball(4) * sqrt(Ball(2));
+  const Ball closed[] = {Ball(1) + root_three, Ball(3) + root_three, Ball(3) - root_three,
+                         Ball(1) - root_three};
+  for (int n = 0; n < 4; ++n) EXPECT_TRUE(db2[n].overlaps(closed[n] / scale)) << n;
+}
+
+TEST(Symlets, FirstTwoAreDaubechies) {
+  for (const int order : {2, 3}) {
+    const auto sym = find_filter("sym" + std::to_string(order)).bank(bits).synthesis_low;
+    const auto db = find_filter("db" + std::to_string(order)).bank(bits).synthesis_low;
+    for (int n = 0; n < sym.size(); ++n) EXPECT_TRUE(sym[n].overlaps(db[n])) << order << " " << n;
+  }
+}
+
+TEST(Names, AliasesLeadToTheCanonicalName) {
+  EXPECT_EQ(canonical_filter_name("D8"), "db4");
+  EXPECT_EQ(canonical_filter_name("K2"), "coif2");
+  EXPECT_EQ(canonical_filter_name("haar"), "db1");
+  EXPECT_EQ(canonical_filter_name("D76"), "db38");
+  EXPECT_EQ(canonical_filter_name("K5"), "coif5");
+  EXPECT_EQ(canonical_filter_name("bior4.4"), "cdf9.7");
+  EXPECT_EQ(canonical_filter_name("bspline3.5"), "bspline3.5");
+}
+
+TEST(Names, WhatIsNoFilterIsRefused) {
+  for (const char* bad :
+       {"", "db", "db0", "db39", "db04", "db4 ", "D7", "D78", "sym1", "sym21", "coif18",
+        "bspline3.4", "bspline0.2", "bspline3", "bspline101.1", "cdf9.9", "db-4"}) {
+    EXPECT_THROW(find_filter(bad), std::invalid_argument) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace wavecurve::certified

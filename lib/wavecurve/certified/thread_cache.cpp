@@ -1,9 +1,0 @@
-#include "wavecurve/certified/thread_cache.hpp"
-
-#include "wavecurve/certified/flint.hpp"
-
-namespace wavecurve::certified {
-
-ThreadCache::~ThreadCache() { flint_cleanup(); }
-
-}  // namespace wavecurve::certified

@@ -1,0 +1,151 @@
+#include "wavecurve/io/animations/detail/html_player.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/animations/detail/player_page.hpp"
+#include "wavecurve/io/files/detail/xml_escaped.hpp"
+#include "wavecurve/motion/detail/check_animation.hpp"
+
+namespace wavecurve::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// x and y in turn, rounded.
+Json points_json(const Contour& contour, const Decimals& decimals) {
+  Json json = Json::array();
+  for (Eigen::Index row = 0; row < contour.rows(); ++row) {
+    json.push_back(decimals.rounded(contour(row, 0)));
+    json.push_back(decimals.rounded(contour(row, 1)));
+  }
+  return json;
+}
+
+Json colour_json(const std::optional<Colour>& colour) {
+  if (!colour) return nullptr;
+  const Decimals share(4);
+  return {share.rounded(colour->red), share.rounded(colour->green), share.rounded(colour->blue)};
+}
+
+Json paint_json(const std::vector<motion::PaintKey>& keys) {
+  Json json = Json::array();
+  for (const motion::PaintKey& key : keys) {
+    const Paint& paint = key.paint;
+    json.push_back({{"time", key.time},
+                    {"fill", colour_json(paint.fill)},
+                    {"fill_opacity", paint.fill_opacity},
+                    {"stroke", colour_json(paint.stroke)},
+                    {"stroke_opacity", paint.stroke_opacity},
+                    {"stroke_width", paint.stroke_width}});
+  }
+  return json;
+}
+
+/// What a layer of a morph and one of an animation have in common.
+template <class Layer>
+Json layer_json(const Layer& layer) {
+  const bool evenodd = layer.paint.front().paint.fill_rule == FillRule::evenodd;
+  return {{"id", layer.id},
+          {"fill_rule", evenodd ? "evenodd" : "nonzero"},
+          {"paint", paint_json(layer.paint)}};
+}
+
+Json outline_json(const std::vector<motion::OutlineKey>& keys, const Decimals& decimals) {
+  Json json = Json::array();
+  for (const motion::OutlineKey& key : keys) {
+    Json contours = Json::array();
+    for (const Contour& contour : key.contours) contours.push_back(points_json(contour, decimals));
+    json.push_back({{"time", key.time}, {"contours", contours}});
+  }
+  return json;
+}
+
+Json filter_json(const Filter<double>& filter) {
+  return {{"first", filter.first_index}, {"taps", filter.taps}};
+}
+
+std::string_view detail_name(motion::Detail detail) {
+  switch (detail) {
+    case motion::Detail::drop:
+      return "drop";
+    case motion::Detail::stage:
+      return "stage";
+    default:
+      return "blend";
+  }
+}
+
+/// What every page holds.
+Json page_json(const ViewBox& box, double duration, const OutputOptions& options) {
+  check_at_least("frames", options.frames, 2);
+  return {{"view_box", {box.x, box.y, box.width, box.height}},
+          {"duration", duration},
+          {"frames", options.frames},
+          {"places", Decimals::for_box(box, options.accuracy).places()},
+          {"layers", Json::array()}};
+}
+
+void replace_all(std::string& text, std::string_view mark, std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, mark.size(), by);
+  }
+}
+
+std::string page(const Json& data, const OutputOptions& options) {
+  std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  replace_all(json, "<", "\\u003c");  // no text of a drawing may end the element
+  std::string html = player_page;
+  replace_all(html, "{{title}}", xml_escaped(options.title));
+  replace_all(html, "{{data}}", json);
+  return html;
+}
+
+}  // namespace
+
+std::string html_player(const motion::Animation& animation, const OutputOptions& options) {
+  const AnimatedControlPoints points = control_points(animation, options.tolerance);
+  const Decimals decimals = Decimals::for_box(animation.view_box, options.accuracy);
+  Json data = page_json(animation.view_box, animation.duration, options);
+  data["repeat"] = options.loop ? "loop" : "once";
+  data["cubic"] = points.cubic;
+  for (const motion::AnimatedLayer& layer : points.animation.layers) {
+    Json json = layer_json(layer);
+    json["outline"] = outline_json(layer.outline, decimals);
+    data["layers"].push_back(json);
+  }
+  return page(data, options);
+}
+
+std::string html_player(const motion::Morph& morph, const OutputOptions& options) {
+  motion::check_animation(motion::animate(morph));
+  // A tenth of the accuracy of points, since a point is a sum of several coefficients.
+  const Decimals decimals = Decimals::for_box(morph.view_box, options.accuracy / 10);
+  Json data = page_json(morph.view_box, morph.duration, options);
+  data["repeat"] = options.loop ? "bounce" : "once";
+  data["cubic"] = false;
+  data["bank"] = {{"low", filter_json(morph.bank.synthesis_low)},
+                  {"high", filter_json(morph.bank.synthesis_high)}};
+  data["levels"] = morph.levels;
+  data["detail"] = detail_name(morph.detail);
+  data["stage_share"] = morph.stage_share;
+  for (const motion::MorphLayer& layer : morph.layers) {
+    Json json = layer_json(layer);
+    json["scale"] = layer.scale;
+    json["contours"] = Json::array();
+    for (const motion::ContourPair& pair : layer.contours) {
+      json["contours"].push_back({{"source", points_json(pair.source, decimals)},
+                                  {"destination", points_json(pair.destination, decimals)}});
+    }
+    data["layers"].push_back(json);
+  }
+  return page(data, options);
+}
+
+}  // namespace wavecurve::io

@@ -1,0 +1,100 @@
+#include "wavecurve/io/animations/detail/raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/animations/detail/coverage.hpp"
+
+namespace wavecurve::io {
+
+namespace {
+
+/// Components multiplied by the opacity, as mixing wants them.
+using Pixel = std::array<float, 4>;
+
+/// An image under way.
+struct Canvas {
+  RasterSize size;
+  std::vector<Pixel> pixels;
+
+  void paint(const std::vector<Contour>& polygons, FillRule rule, const Colour& colour,
+             double opacity) {
+    Coverage coverage(size.width, size.height);
+    coverage.fill(polygons, rule);
+    const auto channel = [](double value) {
+      return static_cast<float>(std::clamp(value, 0.0, 1.0));
+    };
+    const Pixel source{channel(colour.red), channel(colour.green), channel(colour.blue), 1.0F};
+    for (int y = coverage.first_row(); y < coverage.end_row(); ++y) {
+      const float* shares = coverage.row(y);
+      Pixel* row = pixels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
+      for (int x = 0; x < size.width; ++x) {
+        const float alpha = std::min(shares[x], 1.0F) * channel(opacity);
+        if (alpha == 0) continue;
+        for (std::size_t c = 0; c < 4; ++c) row[x][c] = alpha * source[c] + (1 - alpha) * row[x][c];
+      }
+    }
+  }
+};
+
+/// From the drawing to pixels.
+struct Placement {
+  Placement(const ViewBox& box, const RasterSize& size)
+      : scale(std::min(size.width / box.width, size.height / box.height)),
+        x((size.width - scale * box.width) / 2 - scale * box.x),
+        y((size.height - scale * box.height) / 2 - scale * box.y) {}
+
+  std::vector<Contour> map(const std::vector<Contour>& contours) const {
+    std::vector<Contour> result;
+    for (const Contour& contour : contours) {
+      result.emplace_back((scale * contour).rowwise() + Eigen::RowVector2d(x, y));
+    }
+    return result;
+  }
+
+  double scale, x, y;
+};
+
+std::uint8_t byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+}
+
+}  // namespace
+
+RasterSize raster_size(const ViewBox& box, int pixels) {
+  check_between("pixels", pixels, 2, 16384);
+  const double scale = pixels / std::max(box.width, box.height);
+  const auto even = [](double length) {
+    return std::max(2, 2 * static_cast<int>(std::lround(length / 2)));
+  };
+  return {even(scale * box.width), even(scale * box.height)};
+}
+
+Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,
+              const RasterSize& size) {
+  const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  Canvas canvas{size, std::vector<Pixel>(count, Pixel{})};
+  const Placement placement(box, size);
+  for (const motion::FrameLayer& layer : layers) {
+    const std::vector<Contour> polygons = placement.map(layer.contours);
+    const Paint& paint = layer.paint;
+    if (paint.fill) canvas.paint(polygons, paint.fill_rule, *paint.fill, paint.fill_opacity);
+    if (paint.stroke && paint.stroke_width > 0) {
+      canvas.paint(stroke_polygons(polygons, placement.scale * paint.stroke_width / 2),
+                   FillRule::nonzero, *paint.stroke, paint.stroke_opacity);
+    }
+  }
+  Raster raster{size.width, size.height, {}};
+  raster.rgba.reserve(4 * count);
+  for (const Pixel& pixel : canvas.pixels) {
+    const float alpha = pixel[3], factor = alpha > 0 ? 1 / alpha : 0;
+    for (std::size_t c = 0; c < 3; ++c) raster.rgba.push_back(byte(pixel[c] * factor));
+    raster.rgba.push_back(byte(alpha));
+  }
+  return raster;
+}
+
+}  // namespace wavecurve::io

@@ -1,0 +1,100 @@
+#include "wavecurve/io/animations/detail/raster.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/io/animations/animation_test.hpp"
+#include "wavecurve/io/animations/detail/coverage.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+double area(const std::vector<Contour>& polygons, FillRule rule, int size = 100) {
+  Coverage coverage(size, size);
+  coverage.fill(polygons, rule);
+  double sum = 0;
+  for (int y = coverage.first_row(); y < coverage.end_row(); ++y) {
+    for (int x = 0; x < size; ++x) sum += static_cast<double>(coverage.row(y)[x]);
+  }
+  return sum;
+}
+
+Contour rectangle(double left, double top, double right, double bottom) {
+  return (Contour(4, 2) << left, top, right, top, right, bottom, left, bottom).finished();
+}
+
+TEST(Coverage, IsTheAreaOfAPolygon) {
+  // Ordinates are sampled 16 times a pixel, abscissae are exact.
+  EXPECT_NEAR(area({rectangle(10.3, 20.25, 40.8, 30.75)}, FillRule::nonzero), 30.5 * 10.5, 1e-3);
+  const double radius = 40;
+  const Contour circle = flower(50, 50, radius, 1000);
+  EXPECT_NEAR(area({circle}, FillRule::nonzero), std::numbers::pi * radius * radius, 1);
+}
+
+TEST(Coverage, KnowsBothFillRules) {
+  const Contour outer = rectangle(10, 10, 50, 50), inner = rectangle(20, 20, 40, 40);
+  const Contour reversed = inner.colwise().reverse();
+  EXPECT_NEAR(area({outer, inner}, FillRule::nonzero), 1600, 1e-2);
+  EXPECT_NEAR(area({outer, inner}, FillRule::evenodd), 1200, 1e-2);
+  EXPECT_NEAR(area({outer, reversed}, FillRule::nonzero), 1200, 1e-2);
+  EXPECT_NEAR(area({outer, reversed}, FillRule::evenodd), 1200, 1e-2);
+}
+
+TEST(Coverage, IsCutAtTheBorders) {
+  EXPECT_NEAR(area({rectangle(-1e9, -50, 10, 1e9)}, FillRule::nonzero), 1000, 1e-2);
+  EXPECT_EQ(area({rectangle(-30, -30, -10, -10)}, FillRule::nonzero), 0);
+  EXPECT_EQ(area({rectangle(200, 200, 300, 300)}, FillRule::nonzero), 0);
+  EXPECT_EQ(area({}, FillRule::nonzero), 0);
+}
+
+TEST(Stroke, CoversWhatIsWithinItsRadius) {
+  // A square of side 40 and a stroke of 10: corners outside are quarters of a disc.
+  const double expected = 40 * 10 * 4 - 4 * 25 + std::numbers::pi * 25;
+  EXPECT_NEAR(area(stroke_polygons({rectangle(30, 30, 70, 70)}, 5), FillRule::nonzero), expected,
+              2);
+  // Points so dense that no turn shows must leave no gaps either.
+  const Contour circle = flower(50, 50, 30, 2000);
+  EXPECT_NEAR(area(stroke_polygons({circle}, 5), FillRule::nonzero),
+              std::numbers::pi * (35 * 35 - 25 * 25), 3);
+  const Contour point = Contour::Constant(8, 2, 50);
+  EXPECT_NEAR(area(stroke_polygons({point}, 10), FillRule::nonzero), 100 * std::numbers::pi, 3);
+}
+
+TEST(Render, MixesLayersInOrder) {
+  Paint half = filled(0, 0, 1);
+  half.fill_opacity = 0.5;
+  const Raster raster = render({{"a", {rectangle(0, 0, 10, 10)}, filled(1, 0, 0)},
+                                {"b", {rectangle(5, 0, 10, 10)}, half},
+                                {"c", {rectangle(10, 0, 20, 10)}, half}},
+                               {0, 0, 20, 10}, {40, 20});
+  const auto pixel = [&](std::size_t x, std::size_t y) {
+    const auto at = raster.rgba.begin() + static_cast<std::ptrdiff_t>(4 * (40 * y + x));
+    return std::vector<int>(at, at + 4);
+  };
+  EXPECT_EQ(pixel(5, 10), (std::vector<int>{255, 0, 0, 255}));
+  EXPECT_EQ(pixel(15, 10), (std::vector<int>{128, 0, 128, 255}));
+  EXPECT_EQ(pixel(30, 10), (std::vector<int>{0, 0, 255, 128}));
+}
+
+TEST(Render, CentresTheViewBox) {
+  const Raster raster =
+      render({{"a", {rectangle(0, 0, 1, 1)}, filled(0, 0, 0)}}, {0, 0, 1, 1}, {30, 10});
+  for (int x = 0; x < 30; ++x) {
+    EXPECT_EQ(raster.rgba[static_cast<std::size_t>(4 * (30 * 5 + x) + 3)], x / 10 == 1 ? 255 : 0);
+  }
+}
+
+TEST(RasterSize, IsEven) {
+  const RasterSize size = raster_size({0, 0, 100, 33}, 401);
+  EXPECT_EQ(size.width, 402);
+  EXPECT_EQ(size.height, 132);
+  EXPECT_EQ(raster_size({0, 0, 1e9, 1}, 64).height, 2);
+  EXPECT_THROW(raster_size({0, 0, 1, 1}, 1), std::invalid_argument);
+  EXPECT_THROW(raster_size({0, 0, 1, 1}, 20000), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace wavecurve::io

@@ -1,0 +1,44 @@
+#include "wavecurve/io/detail/json_values.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wavecurve::io {
+
+using nlohmann::json;
+
+double number_in(const json& value, const std::string& what, double largest) {
+  const double result = value.is_number() ? value.get<double>() : std::nan("");
+  if (!(std::abs(result) <= largest)) {
+    throw std::invalid_argument(fmt::format("{} is {}, but must be a finite number{}", what,
+                                            value.dump(), largest <= 1 ? " up to 1" : ""));
+  }
+  return result;
+}
+
+long whole_number(const json& value, const std::string& what, long least, long most) {
+  if (!value.is_number_integer() || value < least || value > most) {
+    throw std::invalid_argument(fmt::format("{} is {}, but must be a whole number from {} to {}",
+                                            what, value.dump(), least, most));
+  }
+  return value.get<long>();
+}
+
+void check_kind(const json& document, const std::string& format, int version) {
+  if (!document.is_object() || document.value("format", json()) != format) {
+    throw std::invalid_argument(fmt::format("\"format\" must be \"{}\"", format));
+  }
+  if (document.at("version") != version) {
+    throw std::invalid_argument(
+        fmt::format("version is {}, but must be {}", document.at("version").dump(), version));
+  }
+}
+
+std::string quoted(const std::string& text) {
+  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace wavecurve::io

@@ -1,0 +1,167 @@
+#include "wavecurve/io/drawings/detail/svg/read_svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/io/drawings/detail/svg/drawing_test.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+using Eigen::Vector2d;
+using test::box_of;
+using test::layer_of;
+using test::read;
+
+const std::string unit_square = "<rect width='1' height='1'/>";
+
+void expect_box(const std::vector<Subpath>& subpaths, double x0, double y0, double x1, double y1) {
+  const auto box = box_of(subpaths);
+  test::expect_near(box.min(), x0, y0, 1e-12);
+  test::expect_near(box.max(), x1, y1, 1e-12);
+}
+
+TEST(ReadSvg, ViewBoxIsTheFilesOrItsSizeOrThatOfTheOutlines) {
+  const auto view_box = [](const std::string& root) {
+    return read_svg("<svg " + root + "><rect x='5' y='6' width='7' height='8'/></svg>")
+        .drawing.view_box;
+  };
+  EXPECT_EQ(view_box("viewBox='-1,-2 30 40' width='60' height='80'"), (ViewBox{-1, -2, 30, 40}));
+  EXPECT_EQ(view_box("width='60px' height='1in'"), (ViewBox{0, 0, 60, 96}));
+  EXPECT_EQ(view_box("width='100%' height='100%'"), (ViewBox{5, 6, 7, 8}));
+  EXPECT_EQ(view_box(""), (ViewBox{5, 6, 7, 8}));
+  const auto stroke = read_svg("<svg><path stroke='red' stroke-width='2' d='M0 5H10'/></svg>");
+  EXPECT_EQ(stroke.drawing.view_box, (ViewBox{-1, 4, 12, 2}));
+}
+
+TEST(ReadSvg, TransformsOfNestedGroupsMultiply) {
+  const auto layer = test::only_layer(
+      "<g transform='translate(10 20)'><g transform='scale(2)'>"
+      "<rect x='1' width='1' height='1' transform='scale(1 3)'/>"
+      "</g></g>");
+  expect_box(layer.subpaths, 12, 20, 14, 26);
+}
+
+TEST(ReadSvg, NestedSvgFitsItsViewBox) {
+  const auto box = [](const std::string& attributes, double x0, double y0, double x1, double y1) {
+    SCOPED_TRACE(attributes);
+    expect_box(test::only_layer("<svg x='10' y='20' width='40' height='20' viewBox='1 1 10 10' " +
+                                attributes + "><rect x='1' y='1' width='10' height='10'/></svg>")
+                   .subpaths,
+               x0, y0, x1, y1);
+  };
+  box("", 20, 20, 40, 40);
+  box("preserveAspectRatio='xMinYMid'", 10, 20, 30, 40);
+  box("preserveAspectRatio='xMaxYMid meet'", 30, 20, 50, 40);
+  box("preserveAspectRatio='xMidYMin slice'", 10, 20, 50, 60);
+  box("preserveAspectRatio='xMidYMax slice'", 10, 0, 50, 40);
+  box("preserveAspectRatio='none'", 10, 20, 50, 40);
+}
+
+TEST(ReadSvg, WhatANestedSvgWouldClipIsNamed) {
+  const auto warnings = [](const std::string& attributes) {
+    return read("<svg x='10' y='20' width='40' height='20' viewBox='0 0 10 10' " + attributes +
+                "><rect width='10' height='10'/></svg>")
+        .warnings.size();
+  };
+  EXPECT_EQ(warnings(""), 0U);
+  EXPECT_EQ(warnings("preserveAspectRatio='xMidYMid slice'"), 1U);
+}
+
+TEST(ReadSvg, PercentagesReferToTheNearestViewBox) {
+  const auto layer = test::only_layer(
+      "<svg x='10%' width='50%' height='50%' viewBox='0 0 4 4'>"
+      "<rect width='50%' height='25%'/></svg>");
+  expect_box(layer.subpaths, 10, 0, 35, 12.5);
+}
+
+TEST(ReadSvg, LayersAreInPaintingOrderWithUniqueIds) {
+  const auto file = read(
+      "<rect id='a' width='1' height='1'/><g id='g'><path d='M0 0L1 1 0 2z'/><circle r='1'/></g>"
+      "<path d='M0 0L1 1 0 2z'/><rect id='a' width='2' height='1'/><rect id='path-3' width='1' "
+      "height='1'/><path d='M0 0L1 1 0 2z'/><rect id='a' width='3' height='1'/>");
+  EXPECT_EQ(test::ids_of(file.drawing),
+            (std::vector<std::string>{"a", "path-1", "circle-1", "path-2", "a-2", "path-3",
+                                      "path-3-2", "a-3"}));
+}
+
+TEST(ReadSvg, HolesAreFurtherSubpaths) {
+  const auto layer = test::only_layer("<path fill-rule='evenodd' d='M0 0H9V9H0ZM3 3V6H6V3Z'/>");
+  ASSERT_EQ(layer.subpaths.size(), 2U);
+  EXPECT_DOUBLE_EQ(test::area_of(layer.subpaths), 72);
+}
+
+TEST(ReadSvg, AFillClosesAnOpenSubpathAStrokeDoesNot) {
+  const auto filled = test::only_layer("<path d='M0 0L10 0L10 10'/>");
+  EXPECT_TRUE(filled.subpaths.at(0).closed);
+  EXPECT_EQ(filled.subpaths[0].segments.size(), 3U);
+  EXPECT_DOUBLE_EQ(test::area_of(filled.subpaths), 50);
+  const auto both = read("<path id='p' d='M0 0L10 0L10 10' stroke='red'/>").drawing;
+  EXPECT_EQ(test::ids_of(both), (std::vector<std::string>{"p", "p-stroke"}));
+  EXPECT_FALSE(layer_of(both, "p").paint.stroke);
+  EXPECT_TRUE(layer_of(both, "p").subpaths.at(0).closed);
+  EXPECT_FALSE(layer_of(both, "p-stroke").paint.fill);
+  EXPECT_FALSE(layer_of(both, "p-stroke").subpaths.at(0).closed);
+  const auto closed = test::only_layer("<path d='M0 0L10 0L10 10z' stroke='red'/>");
+  EXPECT_TRUE(closed.paint.fill && closed.paint.stroke);
+}
+
+TEST(ReadSvg, EndsThatMeetButForRoundingMeet) {
+  const auto path = test::path_of("M0.1 0.2l0.1 0.2l0.1 0.2l-.2 -.4");
+  EXPECT_TRUE(path.at(0).closed);
+  EXPECT_EQ(path[0].segments.size(), 3U);
+  const auto ended = test::path_of("M0.1 0.2l0.1 0.2l0.1 0.2l-.2 -.4z");
+  EXPECT_EQ(ended.at(0).segments.size(), 3U);
+  EXPECT_EQ(ended[0].segments.back().control.col(1), Vector2d(0.1, 0.2));
+  EXPECT_FALSE(test::path_of("M0 0L10 0L10 10L0 1e-6").at(0).closed);
+}
+
+TEST(ReadSvg, SegmentsWithoutLengthAreLeftOut) {
+  EXPECT_EQ(test::path_of("M1 1L1 1L5 5L5 5C5 5 5 5 5 5L9 1").at(0).segments.size(), 2U);
+}
+
+TEST(ReadSvg, UseDrawsCopiesInTheStyleAndPlaceOfTheUse) {
+  const auto drawing =
+      read(
+          "<defs><rect id='r' width='2' height='2'/><g id='g' fill='blue'><use "
+          "href='#r'/></g></defs>"
+          "<use id='left' xlink:href='#r' x='10' y='20' fill='red'/><use href='#g' "
+          "transform='scale(3)'/><use href='#r' x='10%'/>")
+          .drawing;
+  EXPECT_EQ(test::ids_of(drawing), (std::vector<std::string>{"left", "r", "r-2"}));
+  expect_box(layer_of(drawing, "left").subpaths, 10, 20, 12, 22);
+  EXPECT_EQ(layer_of(drawing, "left").paint.fill, (Colour{1, 0, 0}));
+  expect_box(layer_of(drawing, "r").subpaths, 0, 0, 6, 6);
+  EXPECT_EQ(layer_of(drawing, "r").paint.fill, (Colour{0, 0, 1}));
+  expect_box(layer_of(drawing, "r-2").subpaths, 10, 0, 12, 2);
+}
+
+TEST(ReadSvg, SymbolsAreDrawnWhereTheyAreUsedOnly) {
+  const auto drawing = read(
+                           "<symbol id='s' viewBox='0 0 4 4' fill='red'><rect id='r' width='4' "
+                           "height='4'/></symbol><use href='#s' x='10' width='8' height='16'/>")
+                           .drawing;
+  EXPECT_EQ(test::ids_of(drawing), std::vector<std::string>{"r"});
+  expect_box(layer_of(drawing, "r").subpaths, 10, 4, 18, 12);
+  EXPECT_EQ(layer_of(drawing, "r").paint.fill, (Colour{1, 0, 0}));
+}
+
+TEST(ReadSvg, SwitchDrawsItsFirst) {
+  EXPECT_EQ(test::ids_of(read("<switch><circle r='1'/>" + unit_square + "</switch>").drawing),
+            std::vector<std::string>{"circle-1"});
+}
+
+TEST(ReadSvg, AUseOfNothingIsNamed) {
+  const auto file = read("<use href='#none'/><use/>" + unit_square);
+  EXPECT_EQ(file.warnings, (std::vector<std::string>{"use of '#none', which is not in the file",
+                                                     "use of '', which is not in the file"}));
+}
+
+TEST(ReadSvg, AShapeWithoutLengthIsSkipped) {
+  const auto file = read("<path id='dot' d='M5 5L5 5z'/><circle r='0'/>" + unit_square);
+  EXPECT_EQ(file.drawing.layers.size(), 1U);
+  EXPECT_EQ(file.warnings, (std::vector<std::string>{"line 1: dot has no length",
+                                                     "line 1: circle-1 has no length"}));
+}
+
+}  // namespace
+}  // namespace wavecurve::io

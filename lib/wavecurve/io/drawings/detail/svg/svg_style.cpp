@@ -1,0 +1,224 @@
+#include "wavecurve/io/drawings/detail/svg/svg_style.hpp"
+
+#include <algorithm>
+
+#include "wavecurve/io/files/detail/text.hpp"
+
+namespace wavecurve::io {
+
+namespace {
+
+/// Reads the properties of one element.
+class StyleReader {
+ public:
+  StyleReader(const XmlElement& element, const Viewport& viewport, const StyleSource& source)
+      : properties_(source.sheet.cascade(element)), viewport_(viewport), source_(source) {}
+
+  Style read(Style style) const {
+    read_colour("color", style.colour, style.colour);
+    read_paint("fill", style.fill, style.colour);
+    read_paint("stroke", style.stroke, style.colour);
+    read_opacity("fill-opacity", style.fill_opacity);
+    read_opacity("stroke-opacity", style.stroke_opacity);
+    double own_opacity = 1;
+    read_opacity("opacity", own_opacity);
+    style.opacity *= own_opacity;
+    read_stroke_width(style.stroke_width);
+    read_keywords(style);
+    warn_of_unsupported();
+    return style;
+  }
+
+  TransparentColour read_stop(const TransparentColour& current) const {
+    TransparentColour stop;
+    double opacity = 1;
+    read_colour("stop-color", stop, current);
+    read_opacity("stop-opacity", opacity);
+    stop.opacity *= opacity;
+    return stop;
+  }
+
+ private:
+  /// The value of a property, or nothing where it is not given or inherited.
+  std::string_view given(std::string_view property) const {
+    const auto found = properties_.find(property);
+    if (found == properties_.end() || found->second == "inherit") return {};
+    return found->second;
+  }
+  void warn_of_value(std::string_view property, std::string_view value) const {
+    source_.warnings.add("the " + std::string(property) + " '" + shown(value) +
+                         "' is not supported");
+  }
+
+  void read_colour(std::string_view property, TransparentColour& colour,
+                   const TransparentColour& current) const {
+    const std::string_view value = given(property);
+    if (value.empty()) return;
+    if (lower_case(value) == "currentcolor") {
+      colour = current;
+    } else if (const auto parsed = parse_css_colour(value)) {
+      colour = *parsed;
+    } else {
+      warn_of_value(property, value);
+    }
+  }
+
+  void read_paint(std::string_view property, PaintServer& paint,
+                  const TransparentColour& current) const {
+    if (const std::string_view value = given(property); !value.empty()) {
+      set_paint(property, value, paint, current);
+    }
+  }
+  void set_paint(std::string_view property, std::string_view value, PaintServer& paint,
+                 const TransparentColour& current) const {
+    using Kind = PaintServer::Kind;
+    if (lower_case(value) == "none") {
+      paint.kind = Kind::none;
+    } else if (lower_case(value) == "currentcolor") {
+      paint.kind = Kind::current_colour;
+    } else if (value.starts_with("url(")) {
+      set_reference(property, value, paint, current);
+    } else if (const auto colour = parse_css_colour(value)) {
+      paint = {Kind::colour, *colour};
+    } else {
+      warn_of_value(property, value);
+    }
+  }
+
+  /// url(#id), with an optional colour for readers that know no such thing.
+  void set_reference(std::string_view property, std::string_view value, PaintServer& paint,
+                     const TransparentColour& current) const {
+    const std::size_t end = std::min(value.find(')'), value.size());
+    std::string id;
+    for (char c : value.substr(4, end - 4)) {
+      if (c != '"' && c != '\'' && c != ' ') id += c;
+    }
+    if (id.starts_with('#')) id.erase(0, 1);
+    const auto found = source_.elements.find(id);
+    const auto mean =
+        found == source_.elements.end() ? std::nullopt : mean_colour(*found->second, current);
+    if (mean) {
+      source_.warnings.add("the gradient '" + shown(id) + "' is replaced by its mean colour");
+      paint = {PaintServer::Kind::colour, *mean};
+      return;
+    }
+    source_.warnings.add("the " + std::string(property) + " '" + shown(value) +
+                         "' is no gradient with colours");
+    const std::string_view instead = trimmed(value.substr(std::min(end + 1, value.size())));
+    paint.kind = PaintServer::Kind::none;
+    if (!instead.empty() && !instead.starts_with("url(")) {
+      set_paint(property, instead, paint, current);
+    }
+  }
+
+  /// Of the stops of a gradient, or of the gradient that it refers to.
+  std::optional<TransparentColour> mean_colour(const XmlElement& first,
+                                               const TransparentColour& current) const {
+    const XmlElement* gradient = &first;
+    constexpr int most_references = 16;
+    for (int i = 0; i < most_references; ++i) {
+      if (gradient->name != "linearGradient" && gradient->name != "radialGradient") break;
+      TransparentColour sum{{}, 0};
+      double count = 0;
+      for (const auto& child : gradient->children) {
+        if (child->name != "stop") continue;
+        const TransparentColour stop = StyleReader(*child, viewport_, source_).read_stop(current);
+        sum.colour.red += stop.colour.red;
+        sum.colour.green += stop.colour.green;
+        sum.colour.blue += stop.colour.blue;
+        sum.opacity += stop.opacity;
+        ++count;
+      }
+      if (count > 0) {
+        return TransparentColour{
+            {sum.colour.red / count, sum.colour.green / count, sum.colour.blue / count},
+            sum.opacity / count};
+      }
+      std::string_view reference = gradient->attribute("href");
+      if (!reference.starts_with('#')) break;
+      const auto found = source_.elements.find(reference.substr(1));
+      if (found == source_.elements.end()) break;
+      gradient = found->second;
+    }
+    return std::nullopt;
+  }
+
+  void read_opacity(std::string_view property, double& opacity) const {
+    const std::string_view value = given(property);
+    if (value.empty()) return;
+    if (const auto parsed = parse_length(value, 1)) {
+      opacity = std::clamp(*parsed, 0.0, 1.0);
+    } else {
+      warn_of_value(property, value);
+    }
+  }
+
+  void read_stroke_width(double& width) const {
+    const std::string_view value = given("stroke-width");
+    if (value.empty()) return;
+    const auto parsed = parse_length(value, viewport_.diagonal());
+    if (parsed && *parsed >= 0 && *parsed <= 1e9) {
+      width = *parsed;
+    } else {
+      warn_of_value("stroke-width", value);
+    }
+  }
+
+  void read_keywords(Style& style) const {
+    if (const auto value = given("fill-rule"); !value.empty()) {
+      style.fill_rule = value == "evenodd" ? FillRule::evenodd : FillRule::nonzero;
+    }
+    if (const auto value = given("visibility"); !value.empty()) style.visible = value == "visible";
+    if (given("display") == "none") style.displayed = false;
+  }
+
+  void warn_of_unsupported() const {
+    for (std::string_view property :
+         {"clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end",
+          "stroke-dasharray", "transform"}) {
+      const std::string_view value = given(property);
+      if (!value.empty() && value != "none") {
+        source_.warnings.add("the property " + std::string(property) + " is not supported");
+      }
+    }
+    for (std::string_view property : {"stroke-linecap", "stroke-linejoin"}) {
+      const std::string_view value = given(property);
+      if (!value.empty() && value != "round") warn_of_value(property, value);
+    }
+  }
+
+  Properties properties_;
+  const Viewport& viewport_;
+  const StyleSource& source_;
+};
+
+/// The colour of a paint, and its own opacity multiplied into the one given.
+std::optional<Colour> resolve(const PaintServer& paint, const TransparentColour& current,
+                              double& opacity) {
+  if (paint.kind == PaintServer::Kind::none) return std::nullopt;
+  const bool is_current = paint.kind == PaintServer::Kind::current_colour;
+  const TransparentColour& colour = is_current ? current : paint.colour;
+  opacity *= colour.opacity;
+  return colour.colour;
+}
+
+}  // namespace
+
+Style style_of(const XmlElement& element, const Style& parent, const Viewport& viewport,
+               const StyleSource& source) {
+  return StyleReader(element, viewport, source).read(parent);
+}
+
+Paint paint_of(const Style& style, double scale) {
+  Paint paint;
+  paint.fill_opacity = style.opacity * style.fill_opacity;
+  paint.stroke_opacity = style.opacity * style.stroke_opacity;
+  paint.fill = resolve(style.fill, style.colour, paint.fill_opacity);
+  paint.stroke = resolve(style.stroke, style.colour, paint.stroke_opacity);
+  paint.stroke_width = scale * style.stroke_width;
+  if (paint.stroke_width == 0) paint.stroke.reset();
+  paint.fill_rule = style.fill_rule;
+  return paint;
+}
+
+}  // namespace wavecurve::io

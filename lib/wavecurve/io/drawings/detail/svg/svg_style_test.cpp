@@ -1,0 +1,180 @@
+#include "wavecurve/io/drawings/detail/svg/svg_style.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wavecurve/io/drawings/detail/svg/drawing_test.hpp"
+
+namespace wavecurve::io {
+namespace {
+
+const std::string triangle = "d='M0 0L10 0L10 10Z'";
+
+Paint paint(const std::string& attributes, const std::string& before = "",
+            const std::string& after = "") {
+  return test::only_layer(before + "<path " + triangle + " " + attributes + "/>" + after).paint;
+}
+
+Colour fill(const std::string& attributes, const std::string& before = "",
+            const std::string& after = "") {
+  const Paint found = paint(attributes, before, after);
+  EXPECT_TRUE(found.fill.has_value()) << attributes;
+  return found.fill.value_or(Colour{-1, -1, -1});
+}
+
+const Colour black{}, red{1, 0, 0}, lime{0, 1, 0}, blue{0, 0, 1};
+
+TEST(Colour, EveryNotation) {
+  EXPECT_EQ(fill("fill='red'"), red);
+  EXPECT_EQ(fill("fill='RED'"), red);
+  EXPECT_EQ(fill("fill='#f00'"), red);
+  EXPECT_EQ(fill("fill='#FF0000'"), red);
+  EXPECT_EQ(fill("fill='rgb(255, 0,0)'"), red);
+  EXPECT_EQ(fill("fill='rgb(300,-5,0)'"), red);
+  EXPECT_EQ(fill("fill='rgb(100%, 0%, 0%)'"), red);
+  EXPECT_EQ(fill("fill='rgb(255 0 0)'"), red);
+  EXPECT_EQ(fill("fill='hsl(120, 100%, 50%)'"), lime);
+  EXPECT_EQ(fill("fill='rebeccapurple'"), black) << "not in the list of SVG 1.1";
+  EXPECT_EQ(fill("fill='white\xc3\xa4'"), black) << "no name has an umlaut";
+  EXPECT_EQ(fill("fill='cornflowerblue'"), (Colour{100 / 255.0, 149 / 255.0, 237 / 255.0}));
+  EXPECT_EQ(fill("fill='#1a2B3c'"), (Colour{26 / 255.0, 43 / 255.0, 60 / 255.0}));
+}
+
+TEST(Colour, ItsOpacityIsThePaints) {
+  EXPECT_DOUBLE_EQ(paint("fill='rgba(255,0,0,.25)'").fill_opacity, 0.25);
+  EXPECT_DOUBLE_EQ(paint("fill='rgb(255 0 0 / 25%)'").fill_opacity, 0.25);
+  EXPECT_DOUBLE_EQ(paint("fill='#ff000033'").fill_opacity, 0.2);
+  EXPECT_DOUBLE_EQ(paint("fill='#f003' fill-opacity='.5'").fill_opacity, 0.1);
+  EXPECT_DOUBLE_EQ(paint("fill='transparent'").fill_opacity, 0);
+}
+
+TEST(Style, FillIsBlackAndStrokeNoneUnlessGiven) {
+  const Paint found = paint("");
+  EXPECT_EQ(found, (Paint{black, {}, 1, 1, 1, FillRule::nonzero}));
+  EXPECT_EQ(paint("fill='none' stroke='blue'").fill, std::nullopt);
+  EXPECT_EQ(paint("fill='none' stroke='blue'").stroke, blue);
+  EXPECT_EQ(paint("fill-rule='evenodd'").fill_rule, FillRule::evenodd);
+}
+
+TEST(Style, GroupsPassOnWhatIsInherited) {
+  const std::string group = "<g fill='red' stroke='blue' stroke-width='3' fill-rule='evenodd'>";
+  const Paint found = paint("", group + "<g>", "</g></g>");
+  EXPECT_EQ(found.fill, red);
+  EXPECT_EQ(found.stroke, blue);
+  EXPECT_EQ(found.stroke_width, 3);
+  EXPECT_EQ(found.fill_rule, FillRule::evenodd);
+  EXPECT_EQ(fill("fill='lime'", group, "</g>"), lime);
+  EXPECT_EQ(fill("fill='inherit'", group, "</g>"), red);
+}
+
+TEST(Style, OpacityOfGroupsMultiplies) {
+  const Paint found = paint("opacity='.5' fill-opacity='.5' stroke='red' stroke-opacity='.25'",
+                            "<g opacity='.5'><g opacity='50%'>", "</g></g>");
+  EXPECT_DOUBLE_EQ(found.fill_opacity, 1.0 / 16);
+  EXPECT_DOUBLE_EQ(found.stroke_opacity, 1.0 / 32);
+  EXPECT_DOUBLE_EQ(paint("opacity='7'").fill_opacity, 1);
+}
+
+TEST(Style, CurrentColourIsThatOfTheElementItself) {
+  EXPECT_EQ(fill("fill='currentColor'", "<g color='red'>", "</g>"), red);
+  EXPECT_EQ(fill("color='blue'", "<g color='red' fill='currentColor'>", "</g>"), blue);
+}
+
+TEST(Style, SheetsOverruleAttributesAndAreOverruledByTheStyleOfAnElement) {
+  const auto sheet = [](const std::string& css) { return "<style>" + css + "</style>"; };
+  EXPECT_EQ(fill("fill='red'", sheet("path{fill:blue}")), blue);
+  EXPECT_EQ(fill("fill='red' style='fill : lime ;'", sheet("path{fill:blue}")), lime);
+  EXPECT_EQ(fill("style='fill:lime'", sheet("path{fill:blue ! important}")), blue);
+  EXPECT_EQ(fill("style='fill:lime!important'", sheet("path{fill:blue!important}")), lime);
+  EXPECT_EQ(fill("class='a b'", sheet(".b{fill:blue} path{fill:red}")), blue);
+  EXPECT_EQ(fill("class='a' id='i'", sheet("#i{fill:blue} .a.a{fill:red} path.a{fill:red}")), blue);
+  EXPECT_EQ(fill("class='a'", sheet(".a{fill:red} .a{fill:blue}")), blue);
+  EXPECT_EQ(fill("class='a'", sheet(".b, .a{fill:blue} *{fill:red}")), blue);
+  EXPECT_EQ(fill("class='A'", sheet(".a{fill:red}")), black) << "case counts";
+  EXPECT_EQ(fill("class='ab'", sheet(".a{fill:red}")), black);
+  EXPECT_EQ(fill("", sheet("/* path{fill:red} */ path{/**/fill:blue}")), blue);
+  EXPECT_EQ(fill("", "<style><![CDATA[path{fill:blue}]]></style>"), blue);
+  EXPECT_EQ(fill("", "<defs>" + sheet("path{fill:blue}") + "</defs>"), blue);
+}
+
+TEST(Style, SelectorsOfDescendantsAndChildren) {
+  const auto with = [](const std::string& selector) {
+    return fill("class='p'", "<style>" + selector + "{fill:red}</style><g id='a'><g class='b'><g>",
+                "</g></g></g>");
+  };
+  EXPECT_EQ(with("#a path"), red);
+  EXPECT_EQ(with("svg g .p"), red);
+  EXPECT_EQ(with("#a > .b > g > path"), red);
+  EXPECT_EQ(with("g g g path"), red);
+  EXPECT_EQ(with("g g g g path"), black);
+  EXPECT_EQ(with(".b > path"), black);
+  EXPECT_EQ(with("path #a"), black);
+  EXPECT_EQ(with("#a > g path"), red);
+}
+
+TEST(Style, WhatTheSheetCannotSayIsNamedOnce) {
+  const DrawingFile file = test::read(
+      "<style>@import url(x.css); @media print { path { fill: red } } path:hover{fill:red} "
+      "path:hover{fill:red} path{fill:blue; font-family: x}</style><path " +
+      triangle + "/>");
+  EXPECT_EQ(file.drawing.layers.at(0).paint.fill, blue);
+  EXPECT_EQ(file.warnings,
+            (std::vector<std::string>{"the CSS rule @import is not supported",
+                                      "the CSS rule @media is not supported",
+                                      "the CSS selector 'path:hover' is not supported"}));
+}
+
+TEST(Style, GradientsBecomeTheirMeanColour) {
+  const std::string gradients =
+      "<linearGradient id='l'><stop stop-color='red'/><stop style='stop-color:#00f' "
+      "stop-opacity='.5'/></linearGradient><radialGradient id='r' xlink:href='#l'/>"
+      "<pattern id='p'/><linearGradient id='x' href='#y'/><linearGradient id='y' href='#x'/>";
+  for (const std::string id : {"l", "r"}) {
+    const DrawingFile file =
+        test::read(gradients + "<path " + triangle + " fill='url(#" + id + ") lime'/>");
+    const Paint found = file.drawing.layers.at(0).paint;
+    EXPECT_EQ(found.fill, (Colour{0.5, 0, 0.5}));
+    EXPECT_DOUBLE_EQ(found.fill_opacity, 0.75);
+    EXPECT_EQ(file.warnings,
+              std::vector<std::string>{"the gradient '" + id + "' is replaced by its mean colour"});
+  }
+  EXPECT_EQ(fill("fill='url(#p) lime'", gradients), lime);
+  EXPECT_EQ(fill("fill='url(#x) lime'", gradients), lime);
+  EXPECT_EQ(paint("fill='url(#none)' stroke='red'", gradients).fill, std::nullopt);
+}
+
+TEST(Style, StrokesScaleWithTheirOutline) {
+  EXPECT_DOUBLE_EQ(
+      paint("stroke='red' stroke-width='2'", "<g transform='scale(3)'>", "</g>").stroke_width, 6);
+  EXPECT_DOUBLE_EQ(paint("stroke='red' stroke-width='10%'").stroke_width, 10);
+  EXPECT_EQ(paint("stroke='red' stroke-width='0'").stroke, std::nullopt);
+  const DrawingFile file =
+      test::read("<path stroke='red' transform='scale(1 4)' " + triangle + "/>");
+  EXPECT_DOUBLE_EQ(file.drawing.layers.at(0).paint.stroke_width, 2);
+  EXPECT_EQ(file.warnings.size(), 1U);
+}
+
+TEST(Style, HiddenThingsAreNotDrawn) {
+  EXPECT_EQ(fill("fill='red'", "<path " + triangle + " display='none'/>"), red);
+  EXPECT_EQ(fill("fill='red'", "<g style='display:none'><path " + triangle + "/></g>"), red);
+  EXPECT_EQ(fill("fill='red'", "<path " + triangle + " visibility='hidden'/>"), red);
+  EXPECT_EQ(fill("fill='red'", "<path " + triangle + " fill='none'/>"), red);
+  EXPECT_EQ(fill("fill='red' visibility='visible'", "<g visibility='hidden'>", "</g>"), red);
+}
+
+TEST(Style, WhatIsNotSupportedIsNamedOnce) {
+  const DrawingFile file = test::read(
+      "<text>a</text><text>b</text><image/><g filter='url(#f)' mask='url(#m)'><path " + triangle +
+      " clip-path='url(#c)' stroke-dasharray='1 2' fill='blurple' opacity='x'><animate/></path>"
+      "</g><title>t</title><desc/><metadata/><foreign xmlns='urn:x'/>");
+  EXPECT_EQ(file.warnings,
+            (std::vector<std::string>{
+                "the element text is not supported", "the element image is not supported",
+                "the property mask is not supported", "the property filter is not supported",
+                "the fill 'blurple' is not supported", "the opacity 'x' is not supported",
+                "the property clip-path is not supported",
+                "the property stroke-dasharray is not supported",
+                "the element animate is not supported"}));
+}
+
+}  // namespace
+}  // namespace wavecurve::io

@@ -1,0 +1,152 @@
+#include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
+
+#include <cstring>
+#include <libxml/SAX2.h>
+#include <libxml/parserInternals.h>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace wavecurve::io {
+
+namespace {
+
+/// Builds the tree while the parser runs. The parser is C: no exception may pass through it.
+struct TreeBuilder {
+  xmlParserCtxtPtr parser = nullptr;
+  std::unique_ptr<XmlElement> root;
+  std::vector<XmlElement*> open;  // the elements that have not ended, each in the one before
+  int elements = 0;
+  std::string defect;
+
+  void refuse(const std::string& what) {
+    if (defect.empty()) defect = fmt::format("line {}: {}", line(), what);
+    xmlStopParser(parser);
+  }
+  int line() const { return parser->input ? parser->input->line : 0; }
+};
+
+std::string text_of(const xmlChar* text) {
+  return text ? reinterpret_cast<const char*>(text) : std::string();
+}
+
+bool is_svg(const xmlChar* uri) { return !uri || text_of(uri) == "http://www.w3.org/2000/svg"; }
+
+/// libxml2 gives an attribute as five pointers: name, prefix, namespace, begin and end of the
+/// value.
+void add_attributes(XmlElement& element, int count, const xmlChar** attributes) {
+  for (int i = 0; i < count; ++i, attributes += 5) {
+    const bool link = text_of(attributes[2]) == "http://www.w3.org/1999/xlink";
+    if (attributes[2] && !link) continue;
+    std::string value(reinterpret_cast<const char*>(attributes[3]),
+                      reinterpret_cast<const char*>(attributes[4]));
+    if (link) {
+      element.attributes.try_emplace(text_of(attributes[0]), std::move(value));
+    } else {
+      element.attributes.insert_or_assign(text_of(attributes[0]), std::move(value));
+    }
+  }
+}
+
+void start_element(void* context, const xmlChar* name, const xmlChar*, const xmlChar* uri, int,
+                   const xmlChar**, int attribute_count, int, const xmlChar** attributes) {
+  auto& tree = *static_cast<TreeBuilder*>(context);
+  if (!tree.defect.empty()) return;
+  if (tree.open.size() == deepest_nesting) {
+    return tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
+  }
+  if (++tree.elements > most_elements) {
+    return tree.refuse(fmt::format("more than {} elements", most_elements));
+  }
+  auto element = std::make_unique<XmlElement>();
+  if (is_svg(uri)) element->name = text_of(name);
+  element->line = tree.line();
+  if (!tree.open.empty()) element->parent = tree.open.back();
+  add_attributes(*element, attribute_count, attributes);
+  XmlElement* const added = element.get();
+  (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) = std::move(element);
+  tree.open.push_back(added);
+}
+
+void end_element(void* context, const xmlChar*, const xmlChar*, const xmlChar*) {
+  auto& tree = *static_cast<TreeBuilder*>(context);
+  if (tree.defect.empty()) tree.open.pop_back();
+}
+
+void add_text(void* context, const xmlChar* text, int length) {
+  auto& tree = *static_cast<TreeBuilder*>(context);
+  if (!tree.open.empty()) {
+    tree.open.back()->text.append(reinterpret_cast<const char*>(text),
+                                  static_cast<std::size_t>(length));
+  }
+}
+
+void refuse_entity(void* context, const xmlChar* name, int, const xmlChar*, const xmlChar*,
+                   xmlChar*) {
+  static_cast<TreeBuilder*>(context)->refuse(
+      fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+}
+
+void refuse_attribute(void* context, const xmlChar* element, const xmlChar* name, int, int,
+                      const xmlChar*, xmlEnumerationPtr values) {
+  xmlFreeEnumeration(values);
+  static_cast<TreeBuilder*>(context)->refuse(
+      fmt::format("declares the attribute {} of {}; declarations are not used", text_of(name),
+                  text_of(element)));
+}
+
+xmlSAXHandler handler() {
+  xmlSAXHandler sax = {};
+  sax.initialized = XML_SAX2_MAGIC;
+  sax.startElementNs = start_element;
+  sax.endElementNs = end_element;
+  sax.characters = add_text;
+  sax.cdataBlock = add_text;
+  sax.entityDecl = refuse_entity;
+  sax.attributeDecl = refuse_attribute;
+  return sax;
+}
+
+std::string error_of(xmlParserCtxtPtr parser) {
+  const xmlError* const error = xmlCtxtGetLastError(parser);
+  if (!error || !error->message) return "not XML";
+  std::string message = error->message;
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  return fmt::format("line {}: not XML: {}", error->line, message);
+}
+
+/// libxml2 keeps declared entities in a document even where none is built.
+struct FreeParser {
+  void operator()(xmlParserCtxtPtr parser) const {
+    if (parser->myDoc) xmlFreeDoc(parser->myDoc);
+    xmlFreeParserCtxt(parser);
+  }
+};
+
+}  // namespace
+
+std::string_view XmlElement::attribute(std::string_view key) const {
+  const auto found = attributes.find(key);
+  return found == attributes.end() ? std::string_view() : found->second;
+}
+
+std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
+  static const bool initialized = (xmlInitParser(), true);
+  static_cast<void>(initialized);
+  const std::unique_ptr<xmlParserCtxt, FreeParser> parser(
+      xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
+  if (!parser) throw std::invalid_argument("not XML: it is empty");
+  TreeBuilder tree;
+  tree.parser = parser.get();
+  *parser->sax = handler();
+  parser->userData = &tree;
+  // HUGE lifts the limit of ten megabytes an attribute; our own limits and refusals replace it.
+  xmlCtxtUseOptions(parser.get(),
+                    XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
+  xmlParseDocument(parser.get());
+  if (!tree.defect.empty()) throw std::invalid_argument(tree.defect);
+  if (!parser->wellFormed || !tree.root) throw std::invalid_argument(error_of(parser.get()));
+  return std::move(tree.root);
+}
+
+}  // namespace wavecurve::io

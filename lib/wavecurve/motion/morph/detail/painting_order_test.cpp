@@ -1,0 +1,58 @@
+#include "wavecurve/motion/morph/detail/painting_order.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wavecurve::motion {
+namespace {
+
+FrameLayer square(double x, double size = 1) {
+  Contour points(4, 2);
+  points << 0, 0, size, 0, size, size, 0, size;
+  return {"", {points.rowwise() + Eigen::RowVector2d(x, 0)}, {}};
+}
+
+std::vector<std::optional<std::size_t>> sources(const std::vector<LayerMatch>& matches) {
+  std::vector<std::optional<std::size_t>> places;
+  for (const LayerMatch& match : matches) places.push_back(match.source);
+  return places;
+}
+
+using Places = std::vector<std::optional<std::size_t>>;
+
+// Apart in the source, on top of each other in the destination, the other way round.
+TEST(PaintingOrder, FollowsTheDestinationWhereTheSourceLeavesItOpen) {
+  const std::vector<FrameLayer> apart{square(0), square(5)}, together{square(0), square(0.5)};
+  const std::vector<LayerMatch> matches{{0, 1}, {1, 0}};
+  EXPECT_EQ(sources(painting_order(matches, apart, together)), (Places{1, 0}));
+  EXPECT_EQ(sources(painting_order(matches, together, apart)), (Places{0, 1}));
+  EXPECT_EQ(sources(painting_order(matches, together, together)), (Places{0, 1}));
+  EXPECT_EQ(sources(painting_order(matches, apart, apart)), (Places{0, 1}));
+}
+
+TEST(PaintingOrder, PutsNewLayersWhereTheyLie) {
+  // New ones below and above the only common layer.
+  const std::vector<FrameLayer> one{square(0)}, three{square(0), square(0.2), square(0.4)};
+  const std::vector<LayerMatch> matches{{0, 1}, {std::nullopt, 0}, {std::nullopt, 2}};
+  EXPECT_EQ(sources(painting_order(matches, one, three)), (Places{std::nullopt, 0, std::nullopt}));
+}
+
+// The boxes of two triangles overlap in the source, they themselves do not.
+TEST(PaintingOrder, LooksAtOutlinesWhereTheEndsContradictEachOther) {
+  Contour upper(3, 2), lower(3, 2);
+  upper << 0, 0, 4, 0, 0, 4;
+  lower << 5, 1, 5, 5, 1, 5;
+  const std::vector<FrameLayer> source{{"", {upper}, {}}, {"", {lower}, {}}};
+  const std::vector<FrameLayer> destination{square(0), square(0.5)};
+  EXPECT_EQ(sources(painting_order({{0, 1}, {1, 0}}, source, destination)), (Places{1, 0}));
+}
+
+TEST(PaintingOrder, EndsWhereDemandsGoRound) {
+  // In the source 0 < 1, in the destination 1 < 2 < 0.
+  const std::vector<FrameLayer> source{square(0), square(0.5), square(9)};
+  const std::vector<FrameLayer> destination{square(5), square(4.2), square(5.8)};
+  const std::vector<LayerMatch> matches{{0, 2}, {1, 1}, {2, 0}};
+  EXPECT_EQ(painting_order(matches, source, destination).size(), 3u);
+}
+
+}  // namespace
+}  // namespace wavecurve::motion
