@@ -80,8 +80,8 @@ Table cause_table(const CheckedTable& table) {
 }
 
 Outcome evaluate() {
-  const CheckedTable table = check_table(
-      read_published_table(data_folder() / "published" / "table_2.csv"));
+  const CheckedTable table =
+      check_table(read_published_table(data_folder() / "published" / "table_2.csv"));
   const int by_route = count_of(table, Verdict::published_route);
   Outcome outcome;
   outcome.verdict = table.is_right()                                  ? Verdict::certified
