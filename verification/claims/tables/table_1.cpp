@@ -9,8 +9,8 @@ namespace wavecurve::verification {
 namespace {
 
 Outcome evaluate() {
-  const CheckedTable table = check_table(
-      read_published_table(data_folder() / "published" / "table_1.csv"));
+  const CheckedTable table =
+      check_table(read_published_table(data_folder() / "published" / "table_1.csv"));
   Outcome outcome;
   outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);
