@@ -25,7 +25,7 @@ std::string form_text(const CheckedColumn& column) {
   return fmt::format("{} {}", column.digits, column.scientific ? "significant digits" : "decimals");
 }
 
-std::string as_json(const CheckedTable& table) {
+std::string table_as_json(const CheckedTable& table) {
   nlohmann::ordered_json result;
   result["table"] = table.title;
   result["rows"] = nlohmann::ordered_json::array();
@@ -60,7 +60,7 @@ std::string as_json(const CheckedTable& table) {
   return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string as_csv(const CheckedTable& table) {
+std::string table_as_csv(const CheckedTable& table) {
   std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail,route\n";
   for (const CheckedRow& row : table.rows) {
     result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", io::csv_field(row.entry.filter),
@@ -71,7 +71,7 @@ std::string as_csv(const CheckedTable& table) {
   return result;
 }
 
-std::string as_text(const CheckedTable& table) {
+std::string table_as_text(const CheckedTable& table) {
   std::vector<std::vector<std::string>> cells{
       {"filter", "quantity", "index", "printed", "certified", "ulps", "verdict", "detail"}};
   for (const CheckedRow& row : table.rows) {
@@ -105,15 +105,15 @@ std::string as_text(const CheckedTable& table) {
   return result;
 }
 
-struct Options {
+struct CheckOptions {
   std::string table, format = "text";
 };
 
-void run(const Options& options, ExitCode& exit_code) {
+void run_check(const CheckOptions& options, ExitCode& exit_code) {
   const CheckedTable table = check_table(read_published_table(options.table));
-  const std::string text = options.format == "json"  ? as_json(table)
-                           : options.format == "csv" ? as_csv(table)
-                                                     : as_text(table);
+  const std::string text = options.format == "json"  ? table_as_json(table)
+                           : options.format == "csv" ? table_as_csv(table)
+                                                     : table_as_text(table);
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!table.is_right()) exit_code = differs;
 }
@@ -121,7 +121,7 @@ void run(const Options& options, ExitCode& exit_code) {
 }  // namespace
 
 void add_check_command(CLI::App& app, ExitCode& exit_code) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
       "check", "Hold the numbers of a published table against their certified values");
   command
@@ -138,7 +138,7 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
       "Exit code: 0 if every value is right (certified, or right but for its form), 1 if one is "
       "not,\n"
       "2 if the file is no such table.");
-  command->callback([options, &exit_code] { run(*options, exit_code); });
+  command->callback([options, &exit_code] { run_check(*options, exit_code); });
 }
 
 }  // namespace wavecurve::tools

@@ -22,7 +22,7 @@ using certified::DecimalEnclosure;
 using certified::FilterDefinition;
 using nlohmann::ordered_json;
 
-struct Options {
+struct CoefficientsOptions {
   std::string name;
   std::string derivatives = "1,1";
   int digits = 40;
@@ -55,8 +55,9 @@ Orders parse_orders(const std::string& text) {
   return orders;
 }
 
-std::string as_json(const FilterDefinition& definition, const Options& options, Orders orders,
-                    const std::vector<Column>& columns) {
+std::string coefficients_as_json(const FilterDefinition& definition,
+                                 const CoefficientsOptions& options, Orders orders,
+                                 const std::vector<Column>& columns) {
   ordered_json document{{"filter", definition.name},
                         {"derivatives", {orders.p, orders.q}},
                         {"normalization", options.normalization}};
@@ -73,7 +74,8 @@ std::string as_json(const FilterDefinition& definition, const Options& options, 
   return document.dump(2) + "\n";
 }
 
-std::string as_csv(const FilterDefinition& definition, const std::vector<Column>& columns) {
+std::string coefficients_as_csv(const FilterDefinition& definition,
+                                const std::vector<Column>& columns) {
   std::string text = "filter,quantity,index,value,radius,exact\n";
   for (const auto& [name, values] : columns) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -84,8 +86,9 @@ std::string as_csv(const FilterDefinition& definition, const std::vector<Column>
   return text;
 }
 
-std::string as_cpp(const FilterDefinition& definition, const Options& options,
-                   const std::vector<Column>& columns) {
+std::string coefficients_as_cpp(const FilterDefinition& definition,
+                                const CoefficientsOptions& options,
+                                const std::vector<Column>& columns) {
   std::string text = header_opening(
       fmt::format("Connection coefficients of {}, derivatives {}, normalization {}, indices from 0",
                   definition.name, options.derivatives, options.normalization),
@@ -98,8 +101,9 @@ std::string as_cpp(const FilterDefinition& definition, const Options& options,
   return text + header_closing(definition.name);
 }
 
-std::string as_text(const FilterDefinition& definition, const Options& options, Orders orders,
-                    const std::vector<Column>& columns) {
+std::string coefficients_as_text(const FilterDefinition& definition,
+                                 const CoefficientsOptions& options, Orders orders,
+                                 const std::vector<Column>& columns) {
   std::string text = fmt::format(
       "connection coefficients of {}, derivatives {},{}, normalization {}\n"
       "{} in the index; beyond the last index zero\n",
@@ -119,7 +123,7 @@ std::string as_text(const FilterDefinition& definition, const Options& options, 
   return text;
 }
 
-void run(const Options& options) {
+void run_coefficients(const CoefficientsOptions& options) {
   const Orders orders = parse_orders(options.derivatives);
   const FilterDefinition definition = io::load_filter(options.name);
   const auto [alpha, mu, nu] = certified::certified_decimals(
@@ -129,17 +133,17 @@ void run(const Options& options) {
                    .divide_by_first = options.normalization == "first"});
   const std::vector<Column> columns{{"alpha", alpha}, {"mu", mu}, {"nu", nu}};
   std::string text;
-  if (options.format == "json") text = as_json(definition, options, orders, columns);
-  if (options.format == "csv") text = as_csv(definition, columns);
-  if (options.format == "cpp") text = as_cpp(definition, options, columns);
-  if (options.format == "text") text = as_text(definition, options, orders, columns);
+  if (options.format == "json") text = coefficients_as_json(definition, options, orders, columns);
+  if (options.format == "csv") text = coefficients_as_csv(definition, columns);
+  if (options.format == "cpp") text = coefficients_as_cpp(definition, options, columns);
+  if (options.format == "text") text = coefficients_as_text(definition, options, orders, columns);
   std::fputs(text.c_str(), stdout);
 }
 
 }  // namespace
 
 void add_coefficients_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CoefficientsOptions>();
   CLI::App* command =
       app.add_subcommand("coefficients", "Print certified connection coefficients alpha, mu, nu");
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
@@ -151,7 +155,7 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
       ->check(CLI::IsMember({"none", "first"}))
       ->capture_default_str();
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_coefficients(*options); });
 }
 
 }  // namespace wavecurve::tools

@@ -29,7 +29,7 @@ namespace {
 
 using namespace verification;
 
-struct Options {
+struct CompareOptions {
   std::vector<std::string> filters = {"db4"}, shapes = {"ellipse", "star", "dent"};
   std::vector<long> samples = {64};
   std::vector<int> levels;                              ///< empty: all of each size
@@ -48,7 +48,7 @@ void make_unique(std::vector<T>& list) {
   list = std::move(result);
 }
 
-Options completed(Options options) {
+CompareOptions completed(CompareOptions options) {
   for (const long samples : options.samples) check_samples(samples);
   if (options.dampings.size() % 2 != 0) {
     throw std::invalid_argument(fmt::format("--damping has {} numbers, but must have pairs s1,s2",
@@ -63,7 +63,7 @@ Options completed(Options options) {
   return options;
 }
 
-StudyPlan plan_of(const Options& options) {
+StudyPlan plan_of(const CompareOptions& options) {
   StudyPlan plan{{}, options.solvers};
   for (const std::string& filter : options.filters) {
     for (const long samples : options.samples) {
@@ -83,7 +83,7 @@ StudyPlan plan_of(const Options& options) {
   return plan;
 }
 
-std::vector<StudyPoint> points_of(const Options& options) {
+std::vector<StudyPoint> points_of(const CompareOptions& options) {
   StudyHooks hooks;
   std::optional<StudyJournal> journal;
   if (!options.directory.empty()) {
@@ -103,8 +103,8 @@ void make_folder(const std::filesystem::path& directory) {
 }
 
 /// The tables, then what those of several settings come to.
-std::string as_text(const std::vector<StudyPoint>& points, const StudySummary& summary,
-                    const std::filesystem::path& directory) {
+std::string study_as_text(const std::vector<StudyPoint>& points, const StudySummary& summary,
+                          const std::filesystem::path& directory) {
   std::string text = study_text(points, summary);
   const auto sentences = reports::answer(points, summary);
   if (settings_of(points).size() > 1) text += fmt::format("\n{}\n", fmt::join(sentences, "\n"));
@@ -113,8 +113,8 @@ std::string as_text(const std::vector<StudyPoint>& points, const StudySummary& s
                      : fmt::format("\nreport: {}\n", (directory / "index.html").string()));
 }
 
-void run(const Options& given) {
-  const Options options = completed(given);
+void run_compare(const CompareOptions& given) {
+  const CompareOptions options = completed(given);
   const std::filesystem::path directory = options.directory;
   if (!directory.empty()) make_folder(directory);
   const std::vector<StudyPoint> points = points_of(options);
@@ -126,14 +126,14 @@ void run(const Options& given) {
   }
   const std::string text = options.format == "json"  ? to_json(points, summary)
                            : options.format == "csv" ? study_csv(points)
-                                                     : as_text(points, summary, directory);
+                                                     : study_as_text(points, summary, directory);
   std::fputs(text.c_str(), stdout);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare",
       "Errors and costs of the solvers of the equation of motion, against the exact one. Each of "
@@ -166,9 +166,9 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   command->add_option(
       "-o,--output", options->directory,
       "Also write index.html with charts, compare.json and compare.csv into this folder; finished "
-      "points are kept there in compare.points.jsonl, and a run that was interrupted goes on from "
+      "points are kept there in compare.points.jsonl, and a run_compare that was interrupted goes on from "
       "them (remove that file to measure anew)");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_compare(*options); });
 }
 
 }  // namespace wavecurve::tools

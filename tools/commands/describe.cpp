@@ -19,7 +19,7 @@ namespace wavecurve::tools {
 
 namespace {
 
-struct Options {
+struct DescribeOptions {
   /// Smooth at every scale, and symmetric, so that the two ways of an open stroke coincide.
   std::string filter = "bspline4.4";
   std::string input, output;
@@ -33,7 +33,7 @@ int default_levels(Eigen::Index samples) {
   return std::max(0, all_levels(samples) - coarsest);
 }
 
-Descriptor described(const Options& options) {
+Descriptor described(const DescribeOptions& options) {
   const FilterBank<double> bank = io::load_filter_bank(options.filter);
   check_samples(options.samples);
   DescriptorOptions how;
@@ -77,7 +77,7 @@ void print_table(const Descriptor& descriptor) {
   }
 }
 
-void run(const Options& options) {
+void run_describe(const DescribeOptions& options) {
   const Descriptor descriptor = described(options);
   if (options.output.empty()) return print_table(descriptor);
   io::write_file(options.output, io::descriptor_json(descriptor));
@@ -86,7 +86,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_describe_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DescribeOptions>();
   CLI::App* command = app.add_subcommand(
       "describe",
       "The wavelet descriptor of a drawing: lengths and energies, or all of it as JSON");
@@ -104,7 +104,7 @@ void add_describe_command(CLI::App& app, ExitCode&) {
                     "coefficients, as in the publication");
   command->add_flag("--keep-corners", options->keep_corners, "Corners become samples");
   command->add_option("-o,--output", options->output, "Write the descriptor as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_describe(*options); });
 }
 
 }  // namespace wavecurve::tools

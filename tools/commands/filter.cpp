@@ -29,7 +29,7 @@ using certified::Ball;
 using certified::FilterDefinition;
 using nlohmann::ordered_json;
 
-struct Options {
+struct FilterOptions {
   std::string name;
   bool list = false;
   int digits = 40;
@@ -119,7 +119,8 @@ ordered_json diagnostics(const FilterDefinition& definition) {
           {"dual_symmetry", symmetry_text(bank.analysis_low)}};
 }
 
-std::string as_json(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+std::string filter_as_json(const FilterDefinition& definition,
+                           const std::vector<NamedFilter>& filters) {
   ordered_json document{{"filter", definition.name}};
   for (const auto& [name, filter] : filters) {
     document[name] = {{"first_index", filter.first_index}, {"taps", filter.taps}};
@@ -128,7 +129,8 @@ std::string as_json(const FilterDefinition& definition, const std::vector<NamedF
   return document.dump(2) + "\n";
 }
 
-std::string as_csv(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+std::string filter_as_csv(const FilterDefinition& definition,
+                          const std::vector<NamedFilter>& filters) {
   std::string text = "filter,part,index,tap\n";
   for (const auto& [name, filter] : filters) {
     for (int n = filter.first_index; n <= filter.last_index(); ++n) {
@@ -138,7 +140,8 @@ std::string as_csv(const FilterDefinition& definition, const std::vector<NamedFi
   return text;
 }
 
-std::string as_cpp(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+std::string filter_as_cpp(const FilterDefinition& definition,
+                          const std::vector<NamedFilter>& filters) {
   std::string text = header_opening("filter " + definition.name, definition.name);
   for (const auto& [name, filter] : filters) {
     text += fmt::format("inline constexpr int {}_first_index = {};\n", name, filter.first_index);
@@ -147,7 +150,8 @@ std::string as_cpp(const FilterDefinition& definition, const std::vector<NamedFi
   return text + header_closing(definition.name);
 }
 
-std::string as_text(const FilterDefinition& definition, const std::vector<NamedFilter>& filters) {
+std::string filter_as_text(const FilterDefinition& definition,
+                           const std::vector<NamedFilter>& filters) {
   std::string text = "filter " + definition.name + "\n";
   const ordered_json facts = diagnostics(definition);
   for (const auto& [key, value] : facts.items()) {
@@ -186,7 +190,7 @@ std::string list_of_filters() {
   return text;
 }
 
-void run(const Options& options) {
+void run_filter(const FilterOptions& options) {
   if (options.list) {
     std::fputs(list_of_filters().c_str(), stdout);
     return;
@@ -197,23 +201,23 @@ void run(const Options& options) {
   const FilterDefinition definition = io::load_filter(options.name);
   const auto filters = rounded_filters(definition, options.digits);
   std::string text;
-  if (options.format == "json") text = as_json(definition, filters);
-  if (options.format == "csv") text = as_csv(definition, filters);
-  if (options.format == "cpp") text = as_cpp(definition, filters);
-  if (options.format == "text") text = as_text(definition, filters);
+  if (options.format == "json") text = filter_as_json(definition, filters);
+  if (options.format == "csv") text = filter_as_csv(definition, filters);
+  if (options.format == "cpp") text = filter_as_cpp(definition, filters);
+  if (options.format == "text") text = filter_as_text(definition, filters);
   std::fputs(text.c_str(), stdout);
 }
 
 }  // namespace
 
 void add_filter_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FilterOptions>();
   CLI::App* command = app.add_subcommand("filter", "Print a filter bank, correctly rounded");
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
   command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop");
   add_digits_option(*command, options->digits);
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_filter(*options); });
 }
 
 }  // namespace wavecurve::tools

@@ -108,7 +108,7 @@ motion::Animation open_loop(motion::Animation animation, int frames) {
   return animation;
 }
 
-void write(const SynthesisOptions& options, const gait::GaitAnimation& walk) {
+void write_walk(const SynthesisOptions& options, const gait::GaitAnimation& walk) {
   Progress progress("frames");
   io::OutputOptions output;
   output.loop = true;
@@ -139,7 +139,7 @@ void synthesize(const SynthesisOptions& options) {
   how.cycle_duration = cycle_duration(options, parameters);
   if (options.smooth) how.continuity = gait::Continuity::velocity;
   const gait::GaitAnimation walk = gait::animate_gait(parameters, drawing_of(options.drawing), how);
-  write(options, walk);
+  write_walk(options, walk);
   fmt::print(
       "stride {:.4g} units of the drawing, {:.4g} seconds a cycle\n"
       "standing feet slide by at most {:.2f} % of the stride, and are off the ground by {:.2f} %\n"

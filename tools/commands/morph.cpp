@@ -40,7 +40,7 @@ const std::map<std::string, motion::Ease> eases{{"linear", motion::Ease::linear}
 const std::map<std::string, Crossings> crossings_modes{{"report", Crossings::report},
                                                        {"avoid", Crossings::avoid}};
 
-struct Options {
+struct MorphOptions {
   std::string source, destination, output, filter = "bspline4.4", scale = "full";
   std::vector<std::string> map, starts;
   motion::MorphOptions morph;
@@ -63,7 +63,7 @@ std::pair<std::string, std::string> parsed_pair(const std::string& text, const c
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-motion::MorphOptions morph_options(const Options& options) {
+motion::MorphOptions morph_options(const MorphOptions& options) {
   motion::MorphOptions morph = options.morph;
   morph.bank = io::load_filter_bank(options.filter);
   morph.scale = parsed_scale(options.scale);
@@ -107,7 +107,7 @@ motion::ChosenMorph without_crossings(const Drawing& source, const Drawing& dest
       alternatives, taus, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
-void write(const Options& options, int frames, const motion::Morph& morph) {
+void write_morph(const MorphOptions& options, int frames, const motion::Morph& morph) {
   Progress progress("frames");
   io::OutputOptions output;
   output.frames = frames;
@@ -133,7 +133,7 @@ void write(const Options& options, int frames, const motion::Morph& morph) {
   io::write_animation(options.output, motion::there_and_back(animation), output);
 }
 
-void check(const Options& options, int frames) {
+void check(const MorphOptions& options, int frames) {
   check_at_least("--frames", frames, 2);
   if (!(options.morph.duration > 0 && options.morph.duration <= 86400)) {
     throw std::invalid_argument(
@@ -146,7 +146,7 @@ void check(const Options& options, int frames) {
   }
 }
 
-void run(const Options& options) {
+void run_morph(const MorphOptions& options) {
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   check(options, frames);
   const motion::MorphOptions how = morph_options(options);
@@ -162,7 +162,7 @@ void run(const Options& options) {
     morph = motion::make_morph(source, destination, how);
     if (options.crossings == Crossings::report) text = crossings_table(morph, taus);
   }
-  write(options, frames, morph);
+  write_morph(options, frames, morph);
   fmt::print("{}", text);
 }
 
@@ -181,7 +181,7 @@ void add_choice(CLI::App* command, const std::string& name, Target& target,
 }  // namespace
 
 void add_morph_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MorphOptions>();
   CLI::App* command = app.add_subcommand(
       "morph", "One drawing into another, layer by layer, as an animation or a sheet of frames");
   command->add_option("SOURCE", options->source, "The first drawing, .svg or .csv")->required();
@@ -222,7 +222,7 @@ void add_morph_command(CLI::App& app, ExitCode&) {
       ->add_option("--tolerance", options->tolerance,
                    "Of fitted cubic curves, in units of the drawing; 0: polygons")
       ->capture_default_str();
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_morph(*options); });
 }
 
 }  // namespace wavecurve::tools

@@ -20,7 +20,7 @@ namespace wavecurve::tools {
 
 namespace {
 
-struct Options {
+struct ReconstructOptions {
   std::string input, scale = "full", output;
 };
 
@@ -60,7 +60,7 @@ std::string points_csv(const motion::Animation& still) {
   return text;
 }
 
-void run(const Options& options) {
+void run_reconstruct(const ReconstructOptions& options) {
   const std::string ending = checked_ending(options.output);
   const Descriptor descriptor = io::read_descriptor(options.input);
   const motion::Animation still =
@@ -74,7 +74,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_reconstruct_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReconstructOptions>();
   CLI::App* command = app.add_subcommand(
       "reconstruct", "The drawing of a descriptor, whole or from its coarsest coefficients");
   command->add_option("DESCRIPTOR", options->input, "What describe has written (.json)")
@@ -87,7 +87,7 @@ void add_reconstruct_command(CLI::App& app, ExitCode&) {
       ->add_option("-o,--output", options->output,
                    "A drawing (.svg), or contour,x,y of every sample (.csv)")
       ->required();
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_reconstruct(*options); });
 }
 
 }  // namespace wavecurve::tools

@@ -22,7 +22,7 @@ namespace wavecurve::tools {
 
 namespace {
 
-struct Options {
+struct StiffnessOptions {
   std::string name, output;
   long samples = 64;
   int levels = -1;  ///< -1: all
@@ -69,7 +69,7 @@ std::string picture(const FilterBank<double>& bank, const Eigen::SparseMatrix<do
        "magnitude of the entry (e_0 = 1, unit interval)"});
 }
 
-void run(const Options& options) {
+void run_stiffness(const StiffnessOptions& options) {
   check_ending(options.output);
   const FilterBank<double> bank = io::load_filter_bank(options.name);
   if (options.samples < 2) {
@@ -89,7 +89,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_stiffness_command(CLI::App& app, ExitCode&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StiffnessOptions>();
   CLI::App* command = app.add_subcommand(
       "stiffness", "The stiffness matrix in the multiscale basis: measures, matrix, picture");
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
@@ -102,7 +102,7 @@ void add_stiffness_command(CLI::App& app, ExitCode&) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--output", options->output,
                       "Write the matrix (.mtx, MatrixMarket) or its picture (.svg)");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_stiffness(*options); });
 }
 
 }  // namespace wavecurve::tools

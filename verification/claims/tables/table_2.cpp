@@ -73,14 +73,8 @@ Table cause_table(const CheckedTable& table) {
 }
 
 Outcome evaluate() {
-<<<<<<< HEAD
   const CheckedTable table = check_table(
       read_published_table(data_folder() / "published" / "table_2.csv"));
-=======
-  const CheckedTable table =
-      check_table(read_published_table(data_folder() / "published" / "table_2.csv"));
-  const int by_route = count_of(table, Verdict::published_route);
->>>>>>> d5ff0e2c6e7edc7da9888664477af1587dc080c2
   Outcome outcome;
   outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);
