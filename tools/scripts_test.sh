@@ -90,7 +90,31 @@ rm "$machine/chromium" "$machine/npm"
 fake apt-get 'echo "apt-get called: $*"; exit 1'
 expect 3 'missing: chromium npm' on_the_machine "$project/tools/test.sh"
 
-expect 2 "--preset 'fast': release, debug, sanitize or coverage is accepted" \
+# A project of a few files, each of which breaks one rule of the house.
+if [ -x /usr/bin/python3 ]; then
+  house=$machine/house
+  mkdir -p "$house"/lib/wavecurve/{filters,io/files,curves/detail} "$house/verification/suite"
+  check=(/usr/bin/python3 "$tools/check_architecture.py")
+  one() { # FILE INCLUDE EXIT-CODE PART-OF-OUTPUT: the house with this file more
+    printf '#include "%s"\n' "$2" >"$house/$1"
+    expect "$3" "$4" "${check[@]}" "$house"
+    rm "$house/$1"
+  }
+  touch "$house"/lib/wavecurve/{filters/filter.hpp,io/files/read_file.hpp,curves/detail/arc.hpp} "$house/verification/suite/claim.hpp"
+  expect 0 'goes where it may' "${check[@]}" "$house"
+  one lib/wavecurve/io/files/text.cpp wavecurve/filters/filter.hpp 0 'goes where it may'
+  one lib/wavecurve/filters/tables.cpp wavecurve/io/files/read_file.hpp 1 'filters may not know io'
+  one lib/wavecurve/filters/tables_test.cpp wavecurve/io/files/read_file.hpp 0 'goes where it may'
+  one lib/wavecurve/io/files/text.cpp verification/suite/claim.hpp 1 'io may not know verification'
+  one verification/suite/run.cpp claim.hpp 1 'no path from the root'
+  one lib/wavecurve/curves/path.hpp wavecurve/curves/detail/arc.hpp 1 'detail is not installed'
+  one lib/wavecurve/curves/detail/arc.hpp wavecurve/curves/detail/arc.hpp 1 'in a circle'
+  for i in {1..26}; do touch "$house/lib/wavecurve/filters/concept_$i.cpp"; done
+  expect 1 'holds 27 concepts' "${check[@]}" "$house"
+  expect 2 'usage: tools/check_architecture.py' "${check[@]}" --fast
+fi
+
+expect 2 "--preset 'fast': release, debug, sanitize, thread or coverage is accepted" \
   "$tools/test.sh" --preset fast
 expect 2 'unknown argument --fast' "$tools/test.sh" --fast
 expect 2 'usage' "$tools/install_dependencies.sh"

@@ -2,7 +2,7 @@
 # Installs what is missing, builds everything and runs every test.
 set -euo pipefail
 
-usage='usage: tools/test.sh [--preset release|debug|sanitize|coverage] [--no-browser]
+usage='usage: tools/test.sh [--preset release|debug|sanitize|thread|coverage] [--no-browser]
 Installs what is missing (apt; npm, for the browser tests), builds everything with the preset
 (release) in build/PRESET and runs every test, or those that need no browser. Exit codes: 0 all tests
 pass, 1 a build or a test failed, 2 bad usage, 3 a package is missing and cannot be installed.'
@@ -28,9 +28,9 @@ while [ $# -gt 0 ]; do
   [ $# -eq 0 ] || shift
 done
 case $preset in
-  release | debug | sanitize | coverage) ;;
+  release | debug | sanitize | thread | coverage) ;;
   *)
-    printf 'test.sh: --preset %s: release, debug, sanitize or coverage is accepted\n' "'$preset'" >&2
+    printf 'test.sh: --preset %s: release, debug, sanitize, thread or coverage is accepted\n' "'$preset'" >&2
     exit 2
     ;;
 esac

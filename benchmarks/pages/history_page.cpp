@@ -10,7 +10,6 @@
 
 #include "benchmarks/pages/history_charts.hpp"
 #include "benchmarks/pages/history_series.hpp"
-#include "benchmarks/pages/limit_reasons.hpp"
 
 namespace wavecurve::tracking {
 
@@ -80,24 +79,27 @@ Table other_times(const std::vector<Json>& history, const std::vector<TimesByNam
 }
 
 /// Kernels that take more than 2.5 times what the machine allows.
-Table far_from_limits(const Json& record, const TimesByName& times) {
+Table far_from_limits(const Json& record, const TimesByName& times, const LimitReasons& reasons) {
   constexpr double far = 2.5;
   Table table{"More than 2.5 times the physical limit, and why",
               {"kernel", "times the limit", "limited by", "why"},
               {}};
+  const std::string commit =
+      record.value("revision", Json::object()).value("commit", std::string());
   const Json kernels = record.value("kernels", Json::object());
   for (const auto& [kernel, counts] : kernels.items()) {
     const auto time = times.find(kernel + "/" + counts["size"].dump());
     const auto [limit, by] = limit_of(record, kernel);
     if (time == times.end() || !(time->second.median > far * limit)) continue;
-    table.rows.push_back({kernel, cell(time->second.median / limit), by, limit_reason(kernel)});
+    table.rows.push_back(
+        {kernel, cell(time->second.median / limit), by, reasons.text(kernel, commit)});
   }
   return table;
 }
 
 }  // namespace
 
-reports::Page history_page(const std::vector<Json>& history) {
+reports::Page history_page(const std::vector<Json>& history, const LimitReasons& reasons) {
   if (history.empty())
     throw std::invalid_argument("the history has 0 records; tools/bench.sh record adds one");
   std::vector<TimesByName> times;
@@ -143,7 +145,7 @@ reports::Page history_page(const std::vector<Json>& history) {
                   last.value("machine", Json::object()).value("cpu", "an unknown machine"));
   return {"Performance and accuracy over the records",
           generated,
-          {{"Overview", {how, overview, far_from_limits(last, times.back())}},
+          {{"Overview", {how, overview, far_from_limits(last, times.back(), reasons)}},
            {"Accuracy", {accuracy_chart(history), accuracy_table(history)}},
            {"Kernel by kernel", charts},
            {"All benchmarks", {other_times(history, times)}}}};

@@ -63,6 +63,15 @@ TEST(HistoryPage, DrawsTheAccuraciesThatChanged) {
   EXPECT_NE(chart.script.find("set arrow from 4.5"), std::string::npos);
 }
 
+TEST(HistoryPage, ShowsWhyAKernelIsFarFromItsLimitAndWhetherThatIsOld) {
+  const auto why = [](const std::string& measured) {
+    const reports::Page page = history_page(history(), {measured, {{"transform", "branches"}}});
+    return std::get<verification::Table>(page.sections[0].evidence[2]).rows.at(0).back();
+  };
+  EXPECT_EQ(why("00000009"), "branches");
+  EXPECT_EQ(why("00000003"), "(Measured at revision 00000003, not at this record's.) branches");
+}
+
 TEST(HistoryPage, TakesRecordsThatLackParts) {
   std::vector<Json> records = history();
   for (const char* part : {"kernels", "benchmarks", "limits", "accuracy"}) {

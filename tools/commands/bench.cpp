@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -13,6 +12,7 @@
 #include "benchmarks/tracking/self_testing.hpp"
 #include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {
 
@@ -22,13 +22,6 @@ namespace fs = std::filesystem;
 using namespace tracking;
 
 /// One line that is written over and over where someone watches; else one a step.
-void say(const std::string& what) {
-  if (isatty(STDERR_FILENO) != 0) {
-    fmt::print(stderr, "\r\033[K{}", what);
-    std::fflush(stderr);
-  }
-}
-
 void stop_saying() { say(""); }
 
 /// A record, a folder with programs, or a revision; "." is the working tree.

@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "benchmarks/pages/peers_page.hpp"
 #include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {
 
@@ -39,15 +39,9 @@ void add_history(CLI::App& bench) {
                    "Folder of history.html; reports/latest of the clone if not given")
       ->type_name("DIR");
   command->callback([=] {
-    write(history_page(read_history(given_or_of_clone(*history, "benchmarks/history"))), *output,
-          "history");
+    const fs::path records = given_or_of_clone(*history, "benchmarks/history");
+    write(history_page(read_history(records), read_limit_reasons(records)), *output, "history");
   });
-}
-
-void say(const std::string& what) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r\033[K{}", what);
-  std::fflush(stderr);
 }
 
 void add_peers(CLI::App& bench) {

@@ -109,7 +109,7 @@ struct CheckOptions {
   std::string table, format = "text";
 };
 
-void run_check(const CheckOptions& options, ExitCode& exit_code) {
+void check_published_table(const CheckOptions& options, ExitCode& exit_code) {
   const CheckedTable table = check_table(read_published_table(options.table));
   const std::string text = options.format == "json"  ? table_as_json(table)
                            : options.format == "csv" ? table_as_csv(table)
@@ -138,7 +138,7 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
       "Exit code: 0 if every value is right (certified, or right but for its form), 1 if one is "
       "not,\n"
       "2 if the file is no such table.");
-  command->callback([options, &exit_code] { run_check(*options, exit_code); });
+  command->callback([options, &exit_code] { check_published_table(*options, exit_code); });
 }
 
 }  // namespace wavecurve::tools

@@ -113,7 +113,7 @@ std::string study_as_text(const std::vector<StudyPoint>& points, const StudySumm
                      : fmt::format("\nreport: {}\n", (directory / "index.html").string()));
 }
 
-void run_compare(const CompareOptions& given) {
+void compare_solvers(const CompareOptions& given) {
   const CompareOptions options = completed(given);
   const std::filesystem::path directory = options.directory;
   if (!directory.empty()) make_folder(directory);
@@ -166,9 +166,9 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   command->add_option(
       "-o,--output", options->directory,
       "Also write index.html with charts, compare.json and compare.csv into this folder; finished "
-      "points are kept there in compare.points.jsonl, and a run_compare that was interrupted goes on from "
+      "points are kept there in compare.points.jsonl, and a compare_solvers that was interrupted goes on from "
       "them (remove that file to measure anew)");
-  command->callback([options] { run_compare(*options); });
+  command->callback([options] { compare_solvers(*options); });
 }
 
 }  // namespace wavecurve::tools

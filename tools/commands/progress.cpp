@@ -23,4 +23,10 @@ void Progress::show(std::size_t done, std::size_t all) {
   std::fflush(stderr);
 }
 
+void say(const std::string& what) {
+  if (::isatty(STDERR_FILENO) != 1) return;
+  fmt::print(stderr, "\r\033[K{}", what);
+  std::fflush(stderr);
+}
+
 }  // namespace wavecurve::tools

@@ -20,4 +20,8 @@ class Progress {
   bool is_terminal_;
 };
 
+/// What a long command is doing, in place of what it was said to do before; only if the error
+/// stream is a terminal.
+void say(const std::string& what);
+
 }  // namespace wavecurve::tools

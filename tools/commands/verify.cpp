@@ -37,7 +37,7 @@ struct VerifyOptions {
 
 /// What the user did not name: in the source tree, or of an installed program the report where the
 /// user stands and the reference among the program's data.
-VerifyOptions completed(VerifyOptions options) {
+VerifyOptions with_defaults(VerifyOptions options) {
   const fs::path tree = source_tree();
   if (tree.empty() && options.bless && options.reference.empty()) {
     throw std::invalid_argument(
@@ -101,7 +101,7 @@ void print_changes(const std::vector<Change>& changes, const fs::path& reference
 }
 
 void verify(const VerifyOptions& given, ExitCode& exit_code) {
-  const VerifyOptions options = completed(given);
+  const VerifyOptions options = with_defaults(given);
   const std::vector<Claim> chosen = chosen_claims(options.only);
   const bool is_partial = !options.only.empty();
   const auto reference =

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

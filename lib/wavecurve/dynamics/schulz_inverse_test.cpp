@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 
 namespace wavecurve::io {

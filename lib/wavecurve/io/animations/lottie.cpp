@@ -10,6 +10,7 @@
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/detail/json_values.hpp"
 
 namespace wavecurve::io {
 

@@ -93,16 +93,16 @@ void add_frame(gait::LimbTracks& tracks, const Path& path, const TrackOptions& o
   }
   // So fine that sampling it once more, in the course of tracking, does not show.
   const Index fine = 4 * (options.samples > 0 ? options.samples : usual_samples);
-  std::set<std::string> left;
-  for (const Layer& layer : drawing.layers) left.insert(layer.id);
+  std::set<std::string> unseen;
+  for (const Layer& layer : drawing.layers) unseen.insert(layer.id);
   for (gait::LimbTrack& limb : tracks.limbs) {
     const auto layer = std::find_if(drawing.layers.begin(), drawing.layers.end(),
                                     [&](const Layer& one) { return one.id == limb.limb; });
     if (layer == drawing.layers.end()) refuse(limb.limb, "is missing; it must be in all frames");
     limb.outlines.push_back(largest_outline(*layer, fine));
-    left.erase(limb.limb);
+    unseen.erase(limb.limb);
   }
-  if (options.limbs.empty() && !left.empty()) refuse(*left.begin(), "is not in the first frame");
+  if (options.limbs.empty() && !unseen.empty()) refuse(*left.begin(), "is not in the first frame");
 }
 
 TrackTable read_frames(const std::vector<Path>& paths, const TrackOptions& options) {
