@@ -5,7 +5,7 @@ namespace wavecurve::reports {
 namespace {
 
 // Contrast of every text colour against its ground is at least 4.5 : 1, light and dark.
-constexpr std::string_view text = R"(:root {
+constexpr std::string_view sheet = R"(:root {
   color-scheme: light dark;
   --ground: #ffffff; --raised: #f6f7f8; --text: #1c2228; --muted: #4f5963; --line: #d3d8dd;
   --link: #0b4f8a; --focus: #b3541e;
@@ -134,6 +134,6 @@ figcaption { margin-top: .5rem; max-width: 46rem; }
 
 }  // namespace
 
-std::string_view stylesheet() { return text; }
+std::string_view stylesheet() { return sheet; }
 
 }  // namespace wavecurve::reports

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/certified_decimals.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"

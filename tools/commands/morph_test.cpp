@@ -132,7 +132,7 @@ TEST_F(MorphCommand, RefusesBadInput) {
   expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames is 1");
   expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration is 0");
   expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
-  expect_refusal("morph a.svg b.svg -o out.json --map face", "two layers a=b");
+  expect_refusal("morph a.svg b.svg -o out.json --map face", "must be two layers, a=b");
   expect_refusal("morph a.svg b.svg -o out.json --map face=nose",
                  "unknown layer of the destination 'nose'; known: ");
   expect_refusal("morph a.svg b.svg -o out.json --start face=x", "'x'");

@@ -93,7 +93,8 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   EXPECT_EQ(refusal(bad), "foot is 8, but must be a whole number from 0 to 7");
   bad = good;
   bad["limbs"][2]["phases"][0]["share"] = 0.9;
-  EXPECT_NE(refusal(bad).find("limb LH: the shares sum up to"), std::string::npos) << refusal(bad);
+  EXPECT_NE(refusal(bad).find("limb LH: the sum of the shares is"), std::string::npos)
+      << refusal(bad);
   bad = good;
   bad["limbs"][0]["phases"][0]["x"][3] = nullptr;
   EXPECT_EQ(refusal(bad), "limb LF: x holds null, but must hold finite numbers");

@@ -139,7 +139,7 @@ TEST(MakeMorph, RefusesWhatDoesNotFit) {
   refuses([](MorphOptions& how) { how.scale = 7; }, "7");
   refuses([](MorphOptions& how) { how.map = {{"face", "nose"}}; }, "'nose'");
   refuses([](MorphOptions& how) { how.starts = {{"nose", 1}}; }, "nose=1");
-  refuses([](MorphOptions& how) { how.starts = {{"face", 64}}; }, "0 .. 63");
+  refuses([](MorphOptions& how) { how.starts = {{"face", 64}}; }, "must be from 0 to 63");
   EXPECT_THROW(make_morph({}, second(), options()), std::invalid_argument);
 }
 

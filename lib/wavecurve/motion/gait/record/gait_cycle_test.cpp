@@ -122,7 +122,7 @@ TEST(GaitCycle, RefusesWhatIsNoGait) {
   bad = good;
   bad.times.conservativeResize(3);
   for (LimbTrack& track : bad.limbs) track.outlines.resize(3);
-  EXPECT_EQ(refusal(bad), "the record has 3 frames, but a gait takes at least 4");
+  EXPECT_EQ(refusal(bad), "the number of frames is 3, but must be at least 4");
   bad = good;
   bad.times.conservativeResize(20);
   for (LimbTrack& track : bad.limbs) track.outlines.resize(20);
