@@ -18,7 +18,7 @@ using verification::Chart;
 
 /// What all charts share: a readable size, generic fonts, line styles that differ in dashes and
 /// point shape as well as in colour, and a light grid.
-constexpr std::string_view style = R"(set encoding utf8
+constexpr std::string_view chart_style = R"(set encoding utf8
 set datafile separator tab
 set datafile commentschars ""
 set key autotitle columnheader
@@ -37,7 +37,7 @@ std::string script_text(const Chart& chart) {
   std::string text = "# Draw anew: gnuplot " + chart.id + ".gp\n";
   text += "set terminal svg size 760,430 font \"sans-serif,14\" background rgb \"#ffffff\"\n";
   text += "set output \"" + chart.id + ".svg\"\n";
-  text += style;
+  text += chart_style;
   text += "data = \"" + chart.id + ".dat\"\n";
   text += chart.script;
   if (!text.ends_with('\n')) text += '\n';

@@ -1,6 +1,7 @@
 // The motion of an elastic curve released from an ellipse, against the exact one: by steps of the
-// coupled system, whose error is the integration's; and decoupled, without the matrices' off-diagonal
-// blocks or entries, whose error is the model's and remains, however exact the integration. Prints:
+// coupled system, whose error is the integration's; and decoupled, without the matrices'
+// off-diagonal blocks or entries, whose error is the model's and remains, however exact the
+// integration. Prints:
 //   largest error, of the displacement at the start
 //   coupled          6.5e-09
 //   implicit         1.2e-05

@@ -1,4 +1,5 @@
-// A morph of two SVG drawings as a Lottie animation: morph_drawings SOURCE.svg DESTINATION.svg OUT.json.
+// A morph of two SVG drawings as a Lottie animation: morph_drawings SOURCE.svg DESTINATION.svg
+// OUT.json.
 // Of blob.svg and star.svg beside this file it prints:
 //   figure: 1 contours, 256 control points each
 //   eye: 1 contours, 256 control points each

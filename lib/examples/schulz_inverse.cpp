@@ -1,4 +1,5 @@
-// Schulz's iteration for the inverse of a damping matrix, with the residuals |I - X_n C| of its steps.
+// Schulz's iteration for the inverse of a damping matrix, with the residuals |I - X_n C| of its
+// steps.
 // Prints:
 //   6.2e+00
 //   5.5e+00

@@ -55,7 +55,8 @@ Trajectory solve_matrix_exponential(const InitialValueProblem& problem) {
   if (problem.system.material().density == 0 || !problem.force.general.empty()) {
     throw std::domain_error("a density above 0 and no general force are needed");
   }
-  const Eigen::Index n = problem.system.samples(), coordinates = problem.displacement.cols();
+  const Eigen::Index n = problem.system.samples(),
+                     coordinates = problem.initial_displacement.cols();
   const auto times = static_cast<std::size_t>(problem.times.size());
   Trajectory trajectory;
   trajectory.displacement.assign(times, Eigen::MatrixXd::Zero(n, coordinates));
@@ -63,9 +64,9 @@ Trajectory solve_matrix_exponential(const InitialValueProblem& problem) {
   for (Eigen::Index j = 0; j < coordinates; ++j) {
     const Matrix<Scalar> a = first_order_matrix<Scalar>(problem, j);
     Matrix<Scalar> start = Matrix<Scalar>::Zero(a.rows(), 1);
-    start.topRows(n) = problem.displacement.col(j).cast<Scalar>();
-    if (problem.velocity.size() > 0)
-      start.middleRows(n, n) = problem.velocity.col(j).cast<Scalar>();
+    start.topRows(n) = problem.initial_displacement.col(j).cast<Scalar>();
+    if (problem.initial_velocity.size() > 0)
+      start.middleRows(n, n) = problem.initial_velocity.col(j).cast<Scalar>();
     start(2 * n) = 1;
     for (Eigen::Index h = 2 * n + 1; h < a.rows(); h += 2) start(h) = 1;
     for (std::size_t i = 0; i < times; ++i) {
