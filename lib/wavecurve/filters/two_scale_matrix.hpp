@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdlib>
+#include <span>
+#include <utility>
+
 #include "wavecurve/filters/filter.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
 
@@ -11,6 +16,26 @@ inline int first_two_scale_unknown(int d) { return d % 2; }
 
 /// Throws as two_scale_matrix does.
 void check_two_scale_arguments(int d, int coefficients);
+
+/// Fills a square matrix of any type, of alpha.size() - 1 - first_two_scale_unknown(d) rows, with A
+/// below; its arguments have been checked.
+template <class Scalar, class Matrix>
+void fill_two_scale_matrix(std::span<const Scalar> alpha, int d, Matrix& a) {
+  const int first = first_two_scale_unknown(d), support = static_cast<int>(alpha.size()) - 1;
+  const auto at = [&](int k) { return alpha[static_cast<std::size_t>(k)]; };
+  Scalar scale = Scalar(1) / Scalar(2);
+  for (int i = 0; i < d; ++i) scale *= Scalar(2);
+  for (int l = first; l < support; ++l) {
+    for (int m = first; m < support; ++m) {
+      const int below = std::abs(2 * l - m), above = 2 * l + m;
+      Scalar sum = below <= support ? at(below) : Scalar(0);
+      if (m > 0 && above <= support) d % 2 == 0 ? sum += at(above) : sum -= at(above);
+      sum *= scale;
+      if (l == m) sum -= Scalar(1);
+      a(l - first, m - first) = std::move(sum);
+    }
+  }
+}
 
 /// Beylkin's two-scale matrix A, (3.11) of the publication, one row an equation. A mu = 0 says
 ///   mu_l = 2^(d-1) sum_k alpha_k mu_{2l+k},   mu_{-l} = (-1)^d mu_l,   mu_l = 0 for |l| >= P
@@ -24,20 +49,8 @@ void check_two_scale_arguments(int d, int coefficients);
 template <class Scalar>
 SquareMatrix<Scalar> two_scale_matrix(const Filter<Scalar>& alpha, int d = 2) {
   check_two_scale_arguments(d, alpha.size());
-  const int first = first_two_scale_unknown(d), unknowns = alpha.size() - 1 - first;
-  Scalar scale = Scalar(1) / Scalar(2);
-  for (int i = 0; i < d; ++i) scale *= Scalar(2);
-  const auto at = [&](int k) { return alpha[k < 0 ? -k : k]; };
-  SquareMatrix<Scalar> a(unknowns);
-  for (int row = 0; row < unknowns; ++row) {
-    const int l = first + row;
-    for (int column = 0; column < unknowns; ++column) {
-      const int m = first + column;
-      Scalar sum = at(2 * l - m);
-      if (m > 0) d % 2 == 0 ? sum += at(2 * l + m) : sum -= at(2 * l + m);
-      a(row, column) = scale * sum - Scalar(row == column ? 1 : 0);
-    }
-  }
+  SquareMatrix<Scalar> a(alpha.size() - 1 - first_two_scale_unknown(d));
+  fill_two_scale_matrix(std::span<const Scalar>(alpha.taps), d, a);
   return a;
 }
 

@@ -155,7 +155,7 @@ std::string descriptor_json(const Descriptor& descriptor) {
   return fmt::format(
       R"({{
   "format": "{}",
-  "descriptor_version": {},
+  "version": {},
   "filter": {},
   "samples": {},
   "levels": {},

@@ -87,9 +87,12 @@ Eigen::VectorXd unscaled_null_vector(const Eigen::MatrixXd& a, int d, NullVector
 }  // namespace
 
 Eigen::MatrixXd two_scale_matrix(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d) {
-  using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto a = two_scale_matrix(Filter<double>{0, {alpha.begin(), alpha.end()}}, d);
-  return Eigen::Map<const ByRows>(a.data(), a.size(), a.size());
+  const auto coefficients = static_cast<int>(alpha.size());
+  check_two_scale_arguments(d, coefficients);
+  const int unknowns = coefficients - 1 - first_two_scale_unknown(d);
+  Eigen::MatrixXd a(unknowns, unknowns);
+  fill_two_scale_matrix(std::span<const double>(alpha.data(), alpha.size()), d, a);
+  return a;
 }
 
 Eigen::VectorXd two_scale_null_vector(const Eigen::Ref<const Eigen::VectorXd>& alpha, int d,

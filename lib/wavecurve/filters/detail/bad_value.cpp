@@ -8,14 +8,6 @@
 
 namespace wavecurve {
 
-namespace {
-
-void demand(bool condition, std::string_view name, const auto& value, std::string_view bound) {
-  if (!condition) throw std::invalid_argument(must_be(name, value, bound));
-}
-
-}  // namespace
-
 std::string value_text(double value) { return fmt::format("{}", value); }
 
 std::string value_text(std::string_view value) {
@@ -26,17 +18,18 @@ std::string value_text(std::string_view value) {
   return "'" + text + (value.size() > shown ? "...'" : "'");
 }
 
-void check_at_least(std::string_view name, double value, double least) {
-  demand(std::isfinite(value) && value >= least, name, value,
-         fmt::format("finite and at least {}", least));
+void refuse_below(std::string_view name, double value, double least) {
+  throw std::invalid_argument(must_be(name, value, fmt::format("finite and at least {}", least)));
 }
 
 void check_between(std::string_view name, long value, long least, long most) {
-  demand(least <= value && value <= most, name, value, fmt::format("from {} to {}", least, most));
+  if (least <= value && value <= most) return;
+  throw std::invalid_argument(must_be(name, value, fmt::format("from {} to {}", least, most)));
 }
 
 void check_above_zero(std::string_view name, double value) {
-  demand(std::isfinite(value) && value > 0, name, value, "finite and above 0");
+  if (std::isfinite(value) && value > 0) return;
+  throw std::invalid_argument(must_be(name, value, "finite and above 0"));
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name,

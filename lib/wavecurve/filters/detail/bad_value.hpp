@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <functional>
 #include <stdexcept>
@@ -27,6 +28,9 @@ std::string must_be(std::string_view name, const Value& value, std::string_view 
   return std::string(name) + " is " + value_text(value) + ", but must be " + std::string(bound);
 }
 
+/// Throws what check_at_least does: apart, for the check stands in inner loops.
+[[noreturn]] void refuse_below(std::string_view name, double value, double least);
+
 /// Throw std::invalid_argument with such a message unless the value is at least, and at most, so
 /// much; a number that need not be whole must be finite, too.
 template <std::integral Integer>
@@ -34,7 +38,9 @@ void check_at_least(std::string_view name, Integer value, long least) {
   if (value >= static_cast<Integer>(least)) return;
   throw std::invalid_argument(must_be(name, value, "at least " + std::to_string(least)));
 }
-void check_at_least(std::string_view name, double value, double least);
+inline void check_at_least(std::string_view name, double value, double least) {
+  if (!(std::isfinite(value) && value >= least)) refuse_below(name, value, least);
+}
 void check_between(std::string_view name, long value, long least, long most);
 void check_above_zero(std::string_view name, double value);
 

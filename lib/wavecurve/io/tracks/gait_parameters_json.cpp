@@ -23,7 +23,7 @@ using nlohmann::json;
 constexpr const char* parameters_format = "wavecurve-gait";
 constexpr int parameters_version = 1;
 
-// Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few json_lines.
+// Writing: by hand, since {fmt} gives the shortest decimals and the numbers stay on few lines.
 
 std::string number_text(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
@@ -238,7 +238,7 @@ std::string gait_parameters_json(const gait::GaitParameters& parameters) {
   return fmt::format(
       R"({{
   "format": "{}",
-  "parameters_version": {},
+  "version": {},
   "period": {},
   "facing": {},
   "stride": {},

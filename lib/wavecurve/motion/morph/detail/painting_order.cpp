@@ -14,7 +14,7 @@ namespace wavecurve::motion {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-using Place = std::optional<std::size_t>;
+using LayerIndex = std::optional<std::size_t>;
 
 std::vector<Box> boxes_of(const std::vector<FrameLayer>& layers) {
   std::vector<Box> boxes(layers.size());
@@ -28,7 +28,7 @@ std::vector<Box> boxes_of(const std::vector<FrameLayer>& layers) {
   return boxes;
 }
 
-bool is_below(Place a, Place b, const std::vector<Box>& boxes) {
+bool is_below(LayerIndex a, LayerIndex b, const std::vector<Box>& boxes) {
   return a && b && *a < *b && boxes[*a].intersects(boxes[*b]);
 }
 
