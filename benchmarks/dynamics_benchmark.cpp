@@ -18,10 +18,12 @@
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
-#include "benchmarks/ellipse_problem.hpp"
+#include "benchmarks/kernels/test_problem.hpp"
 
 namespace wavecurve {
 namespace {
+
+using tracking::ellipse;
 
 double error_of(const dynamics::Trajectory& solution, const dynamics::Trajectory& exact) {
   return (solution.displacement.back() - exact.displacement.back()).norm() /

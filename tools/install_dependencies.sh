@@ -29,14 +29,16 @@ nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp
 gnuplot-nox           program:gnuplot
 '
-# For git, see benchmarks/tracking: it builds revisions. Some others are peers: measured beside the
-# library, never used by it.
+# For git, see benchmarks/tracking: it builds revisions.
 benchmark_packages='
 git                   program:git
 libbenchmark-dev      header:benchmark/benchmark.h
+python3               program:/usr/bin/python3
+'
+# Measured and tested beside the library, never used by it: what cannot be installed is left out.
+peer_packages='
 libgsl-dev            header:gsl/gsl_wavelet.h
 libsundials-dev       header:cvode/cvode.h
-python3               program:/usr/bin/python3
 python3-pywt          module:pywt
 '
 tracking_packages='
@@ -93,9 +95,18 @@ apt_get() {
   "${command[@]}" "$@" </dev/null
 }
 
+# Whether packages can be installed here at all.
+can_install() {
+  command -v apt-get >/dev/null && { [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null; }
+}
+
+update_lists() {
+  apt_get update || say "apt-get update failed; going on with the package lists at hand"
+}
+
 install_packages() {
   local available=() package
-  apt_get update || say "apt-get update failed; going on with the package lists at hand"
+  update_lists
   for package in "$@"; do
     if [ "$package" = libflint-arb-dev ] && [ -z "$(apt-cache madison "$package")" ]; then continue; fi
     available+=("$package")
@@ -104,12 +115,26 @@ install_packages() {
     fail "apt-get could not install: ${available[*]}"
 }
 
+# Installs the peers that are missing, one by one, or says in one line which are left out.
+install_peers() {
+  local missing package
+  mapfile -t missing < <(missing_packages <<<"$1")
+  if [ ${#missing[@]} -eq 0 ]; then return; fi
+  if can_install; then
+    update_lists
+    for package in "${missing[@]}"; do apt_get install --no-install-recommends "$package" || true; done
+    mapfile -t missing < <(missing_packages <<<"$1")
+  fi
+  [ ${#missing[@]} -eq 0 ] || say "left out, for nothing but comparisons needs them: ${missing[*]}"
+}
+
 list=$program_packages
+peers=
 case ${1-} in
   program) ;;
-  bench) list+=$benchmark_packages$tracking_packages ;;
-  tests) list+=$test_packages$benchmark_packages ;;
-  browser) list+=$test_packages$benchmark_packages$browser_packages ;;
+  bench) list+=$benchmark_packages$tracking_packages peers=$peer_packages ;;
+  tests) list+=$test_packages$benchmark_packages peers=$peer_packages ;;
+  browser) list+=$test_packages$benchmark_packages$browser_packages peers=$peer_packages ;;
   --help | -h)
     printf '%s\n' "$usage"
     exit 0
@@ -123,15 +148,15 @@ esac
 mapfile -t missing < <(missing_packages <<<"$list")
 if [ ${#missing[@]} -eq 0 ]; then
   say "nothing is missing"
+  install_peers "$peers"
   exit 0
 fi
 say "missing: ${missing[*]}"
 if ! command -v apt-get >/dev/null; then
   fail "this system has no apt-get; install what these Debian packages hold: ${missing[*]}"
 fi
-if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
-  fail "neither root nor sudo; let root run: apt-get install ${missing[*]}"
-fi
+can_install || fail "neither root nor sudo; let root run: apt-get install ${missing[*]}"
 install_packages "${missing[@]}"
 mapfile -t missing < <(missing_packages <<<"$list")
 [ ${#missing[@]} -eq 0 ] || fail "still missing after the installation: ${missing[*]}"
+install_peers "$peers"

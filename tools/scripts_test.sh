@@ -74,6 +74,13 @@ expect 0 'npm called: ci' on_the_machine "$project/tools/test.sh"
 fake npm 'echo "npm called again"; exit 1'
 expect 0 'ctest called: --preset debug' on_the_machine "$project/tools/test.sh" --preset debug
 
+# A peer that cannot be had is left out, and said to be.
+sed 's#gsl/gsl_wavelet.h#gsl/of_nowhere.h#' "$tools/install_dependencies.sh" >"$project/tools/install_dependencies.sh"
+fake apt-get 'echo "apt-get called: $*"; exit 1'
+expect 0 'left out, for nothing but comparisons needs them: libgsl-dev' \
+  on_the_machine "$project/tools/install_dependencies.sh" browser
+expect 0 'ctest called: --preset debug' on_the_machine "$project/tools/test.sh" --preset debug
+
 # What cannot be built is no regression and no other verdict.
 unbuilt=$machine/unbuilt
 mkdir -p "$unbuilt/tools"

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
-
-#include "benchmarks/kernels/kernel.hpp"
 
 namespace wavecurve::tracking {
 

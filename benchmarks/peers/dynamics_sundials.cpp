@@ -17,10 +17,12 @@
 #include "wavecurve/dynamics/modal/spectral.hpp"
 #include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
 
-#include "benchmarks/ellipse_problem.hpp"
+#include "benchmarks/kernels/test_problem.hpp"
 
 namespace wavecurve {
 namespace {
+
+using tracking::ellipse;
 
 /// The operator of the matrix-free coupled solver, as SUNDIALS calls it.
 struct Peer {
