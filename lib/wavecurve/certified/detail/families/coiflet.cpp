@@ -1,5 +1,7 @@
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/polynomial.hpp"
 #include "wavecurve/certified/linear_solve.hpp"
@@ -140,9 +142,9 @@ std::optional<FilterDefinition> define_coiflet(std::string_view name) {
 Family coiflet_family() {
   Family family{"coif1-coif17 (aliases K1-K17)", {}, {}, define_coiflet};
   for (int order = 1; order <= highest_coiflet_order; ++order) {
-    const std::string name = "coif" + std::to_string(order);
+    const std::string name = fmt::format("coif{}", order);
     family.members.push_back(name);
-    family.aliases.emplace_back("K" + std::to_string(order), name);
+    family.aliases.emplace_back(fmt::format("K{}", order), name);
   }
   return family;
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/families/halfband_roots.hpp"
 
@@ -26,9 +28,9 @@ std::optional<FilterDefinition> define_daubechies(std::string_view name) {
 Family daubechies_family() {
   Family family{"db1-db38 (aliases haar, D2-D76)", {}, {{"haar", "db1"}}, define_daubechies};
   for (int order = 1; order <= highest_daubechies_order; ++order) {
-    const std::string name = "db" + std::to_string(order);
+    const std::string name = fmt::format("db{}", order);
     family.members.push_back(name);
-    family.aliases.emplace_back("D" + std::to_string(2 * order), name);
+    family.aliases.emplace_back(fmt::format("D{}", 2 * order), name);
   }
   return family;
 }
