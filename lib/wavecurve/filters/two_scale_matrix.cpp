@@ -13,10 +13,10 @@ void check_two_scale_arguments(int d, int coefficients) {
   check_between("derivative order", d, 0, highest_order);
   const int fewest = 2 + first_two_scale_unknown(d);
   if (coefficients < fewest) {
-    throw std::invalid_argument(fmt::format(
-        "the two-scale system of derivative order {} needs at least {} autocorrelation "
-        "coefficients, not {}",
-        d, fewest, coefficients));
+    throw std::invalid_argument(
+        fmt::format("the two-scale system of derivative order {} needs at least {} autocorrelation "
+                    "coefficients, not {}",
+                    d, fewest, coefficients));
   }
 }
 

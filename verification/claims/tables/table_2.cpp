@@ -73,8 +73,8 @@ Table cause_table(const CheckedTable& table) {
 }
 
 Outcome evaluate() {
-  const CheckedTable table = check_table(
-      read_published_table(data_folder() / "published" / "table_2.csv"));
+  const CheckedTable table =
+      check_table(read_published_table(data_folder() / "published" / "table_2.csv"));
   Outcome outcome;
   outcome.verdict = verdict_of(table);
   outcome.finding = count_finding(table);

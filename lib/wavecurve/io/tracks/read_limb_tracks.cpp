@@ -102,7 +102,8 @@ void add_frame(gait::LimbTracks& tracks, const Path& path, const TrackOptions& o
     limb.outlines.push_back(largest_outline(*layer, fine));
     unseen.erase(limb.limb);
   }
-  if (options.limbs.empty() && !unseen.empty()) refuse(*unseen.begin(), "is not in the first frame");
+  if (options.limbs.empty() && !unseen.empty())
+    refuse(*unseen.begin(), "is not in the first frame");
 }
 
 TrackTable read_frames(const std::vector<Path>& paths, const TrackOptions& options) {

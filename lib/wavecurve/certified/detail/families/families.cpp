@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
+#include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {

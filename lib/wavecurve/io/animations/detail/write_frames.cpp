@@ -9,9 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/animations/detail/png.hpp"
 #include "wavecurve/io/animations/detail/render_frames.hpp"
-#include "wavecurve/io/animations/detail/png.hpp"
-#include "wavecurve/io/animations/detail/png.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {
