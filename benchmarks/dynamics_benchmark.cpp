@@ -125,7 +125,7 @@ void fourier_solve(benchmark::State& state) {
   }
 }
 
-/// Of several runs: other programs only ever add to a time.
+/// The least of several runs, for other programs only ever add to a time.
 double least(const std::vector<double>& times) {
   return *std::min_element(times.begin(), times.end());
 }

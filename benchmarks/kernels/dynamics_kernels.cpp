@@ -53,7 +53,7 @@ std::function<void()> schulz(Eigen::Index samples) {
 
 // What an iteration takes depends on how many steps it needs, so each is run once for its limit.
 
-/// Of a sample: two transforms of 18, the circulant of 7 multiplications and 12 additions, as of
+/// Operations a sample: two transforms of 18, the circulant of 7 multiplications and 12 additions, as of
 /// operator_product; and six sums of the method, of a product and an addition each.
 constexpr double product_operations = 2 * 18 + 7 + 12, sums_operations = 2 * 6;
 

@@ -24,7 +24,7 @@ double quantile(const std::vector<double>& sorted, double share) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
-/// Of logarithms.
+/// The interval of a ratio, from estimates of its logarithm.
 RatioInterval interval(double estimate, std::vector<double> resampled, double confidence) {
   std::ranges::sort(resampled);
   return {std::exp(estimate), std::exp(quantile(resampled, (1 - confidence) / 2)),

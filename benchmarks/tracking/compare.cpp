@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of two builds flags and compiler are part of what is compared; a record must be of this machine.
+/// Flags and compiler of two builds are part of what is compared; a record must be of this machine.
 void check_machines(const Side& a, const Side& b, const Json& before, const Json& after,
                     const CompareOptions& options, std::vector<std::string>& notes) {
   const auto part = [&](const Json& from) {

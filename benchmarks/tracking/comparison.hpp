@@ -30,7 +30,7 @@ struct Comparison {
   std::vector<Row> rows;
   std::vector<std::string> notes;
 
-  /// Of a benchmark, all its quantities together: slower if one is; what the counts leave the same
+  /// The verdict on a benchmark, all its quantities together: slower if one is; what the counts leave the same
   /// is the same though its time is inconclusive.
   Change verdict_of(const std::string& benchmark) const;
   /// 0: no regression, 1: a regression, 4: nothing worse than inconclusive.

@@ -1,6 +1,6 @@
 // A morph of two SVG drawings as a Lottie animation: morph_drawings SOURCE.svg DESTINATION.svg
 // OUT.json.
-// Of blob.svg and star.svg beside this file it prints:
+// From blob.svg and star.svg beside this file it prints:
 //   figure: 1 contours, 256 control points each
 //   eye: 1 contours, 256 control points each
 #include <cstdio>

@@ -11,7 +11,7 @@ namespace wavecurve::tools {
 
 namespace {
 
-/// Of the instruction sets that were compiled and that the processor has, the best is the lowest bit.
+/// The best of the instruction sets that were compiled and that the processor has is the lowest bit.
 std::string instruction_set_in_use() {
   const auto usable = hwy::SupportedTargets() & HWY_TARGETS;
   return hwy::TargetName(usable & -usable);

@@ -25,7 +25,7 @@ std::array<double, 2> example_key_frames();
 /// limbs.
 std::vector<motion::FrameLayer> recorded_frame(std::size_t frame);
 
-/// Of docs/examples/dog.svg, where its feet stand.
+/// The height in docs/examples/dog.svg where its feet stand.
 constexpr double example_ground = 232;
 
 /// Residuals and cross-validated errors, as shares of the stride in %, of limbs by phases and

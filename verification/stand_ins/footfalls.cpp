@@ -55,7 +55,7 @@ double mean_duration(const Events& events) {
   return sum / count;
 }
 
-/// Of shares of the cycle that lie close together, on the circle.
+/// The mean of shares of the cycle that lie close together, on the circle.
 double mean_share(const std::vector<double>& times) {
   double sum = 0;
   for (const double time : times) sum += wrapped(time - times[0] + 0.5) - 0.5;

@@ -17,7 +17,7 @@ using Footfalls = std::array<gait::CyclePart, 4>;
 /// frames; where they pass that bound is found by linear interpolation.
 Footfalls recorded_footfalls(const gait::LimbTracks& tracks, const gait::GaitCycle& cycle);
 
-/// Of a model.
+/// The footfalls of a model.
 Footfalls model_footfalls(const std::vector<gait::LimbPath>& paths, double facing);
 
 }  // namespace wavecurve::verification

@@ -82,7 +82,7 @@ Ground ground_of(const StudySetting& setting) {
   return {std::move(problem), std::move(exact), fingerprint};
 }
 
-/// Of this thread: solves on other cores do not count.
+/// Processor time of this thread: solves on other cores do not count.
 double processor_seconds() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -22,7 +22,7 @@ struct StudySetting {
   friend bool operator==(const StudySetting&, const StudySetting&) = default;
 };
 
-/// Of the exact solution of the coupled system, see motion_error.hpp: the largest of 41 equally
+/// Errors against the exact solution of the coupled system, see motion_error.hpp: the largest of 41 equally
 /// spaced times, and at the last.
 struct StudyErrors {
   double displacement_l2_max = 0, displacement_l2_final = 0;
@@ -45,7 +45,7 @@ struct StudyPoint {
   dynamics::Cost cost;
   double seconds = 0;   ///< processor time of the solving thread, the least of several runs
   std::string failure;  ///< empty: ok
-  /// Of the numbers that the problem consists of: the same setting may name a changed file.
+  /// A fingerprint of the numbers that the problem consists of: the same setting may name a changed file.
   std::string fingerprint;
 };
 

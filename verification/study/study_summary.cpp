@@ -123,7 +123,7 @@ std::optional<Growth> growth_of(const Points& points) {
   return growth;
 }
 
-/// Of all sizes of one solver: at the coarsest and the finest tolerance that none of them failed
+/// Adds the growth over all sizes of one solver: at the coarsest and the finest tolerance that none of them failed
 /// at.
 void add_growth(std::vector<Growth>& all, const Points& points) {
   std::vector<Growth> found;

@@ -21,7 +21,7 @@ std::optional<RieszBounds> riesz_bounds(const FilterDefinition& definition);
 
 enum class Symmetry { symmetric, antisymmetric, none };
 
-/// Of the taps about their middle: none if proved so; else symmetric to within the enclosures at
+/// The symmetry of the taps about their middle: none if proved so; else symmetric to within the enclosures at
 /// the given precision.
 Symmetry symmetry(const Filter<Ball>& filter);
 

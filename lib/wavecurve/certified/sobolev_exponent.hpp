@@ -19,7 +19,7 @@ namespace wavecurve::certified {
 /// precision does not suffice.
 Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings);
 
-/// Of phi, with a radius below 1e-12 (if the definition allows). For the dual scaling function pass
+/// The exponent of phi, with a radius below 1e-12 (if the definition allows). For the dual scaling function pass
 /// dual(definition); a negative exponent says that it is no square-integrable function.
 Ball sobolev_exponent(const FilterDefinition& definition);
 

@@ -107,7 +107,7 @@ TEST(Descriptor, OfAStrokeIsAStrokeAtEveryScale) {
   EXPECT_GT(gap("db4", 8), 0.01);
 }
 
-/// Of an orthonormal family, the shares are those of the variance, by Parseval's relation.
+/// The shares of an orthonormal family are those of the variance, by Parseval's relation.
 TEST(EnergyShares, AreThoseOfTheVariance) {
   const Contour samples = sample_contour(square(5), 64);
   const Contour coefficients = to_coefficients(find_filter_bank("db4"), samples, 3);

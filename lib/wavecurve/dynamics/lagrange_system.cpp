@@ -14,13 +14,13 @@ namespace wavecurve::dynamics {
 
 namespace {
 
-/// Of the circulant of the finest level, by frequency 0 .. samples / 2.
+/// The symbol of the circulant of the finest level, by frequency 0 .. samples / 2.
 Eigen::VectorXd symbol(const FilterBank<double>& bank, Eigen::Index samples, int order) {
   if (order == 0 && bank.is_orthonormal()) return Eigen::VectorXd::Ones(samples / 2 + 1);
   return circulant_symbol(connection_coefficients(bank, order, order).mu, samples, 2 * order);
 }
 
-/// Of the diagonal blocks of the bands.
+/// The symbols of the diagonal blocks of the bands.
 std::vector<Eigen::VectorXd> band_symbols(const FilterBank<double>& bank,
                                           const std::vector<Band>& bands, int order) {
   std::vector<Eigen::VectorXd> symbols;

@@ -36,7 +36,7 @@ struct SchulzInverse {
 /// before the residual falls; in the end it is about the condition number times the unit of
 /// rounding.
 ///
-/// Of a singular matrix the residual stays at least 1: R_n z = z for a null vector z. X_n tends to
+/// The residual of a singular matrix stays at least 1: R_n z = z for a null vector z. X_n tends to
 /// the pseudo-inverse, while rounding along z doubles with each step. That is seen when C X C = C
 /// holds to rounding with a residual still at least 1/2. There are at most 140 steps: more than a
 /// condition number of 2^52 takes.

@@ -205,7 +205,7 @@ TEST(Solvers, TendToTheUndampedMotionAsTheDampingVanishes) {
     const Trajectory limit = solver(smooth_problem("db4", 16, material));
     const auto found =
         differences(solver, limit, material, &Material::stiffness_damping, {1e-3, 1e-4, 1e-5});
-    // Of first order; what the controlled ones add is a thousandth of the last.
+    // The method is of first order; what the controlled ones add is a thousandth of the last.
     for (std::size_t i = 1; i < found.size(); ++i) {
       EXPECT_NEAR(found[i] / found[i - 1], 0.1, 0.02) << named.name << i;
     }

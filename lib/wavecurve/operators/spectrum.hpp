@@ -12,7 +12,7 @@ struct ExtremeEigenvalues {
   double condition_number() const { return largest / smallest; }
 };
 
-/// Of the multiscale matrix of orders (p, p), p = 0 (the Gram matrix) or 1 (stiffness, on the
+/// Extreme eigenvalues of the multiscale matrix of orders (p, p), p = 0 (the Gram matrix) or 1 (stiffness, on the
 /// complement of the constants), by Spectra's Lanczos iteration without assembling anything: the
 /// largest from products with the matrix, the smallest as the inverse of the largest eigenvalue of
 /// the inverse, S^-1 T^+ S^-T on that complement, T the circulant of the finest level, which the

@@ -114,7 +114,7 @@ Chart curves_chart(const std::vector<gait::PhaseData>& data, const Coordinate& c
   }
   append_curves(data, coordinate, coefficient, chart.data);
   append_samples(data, coefficient, chart.data);
-  // Of each model, the curve of A and the curve of B, in the same dashes.
+  // The curves of A and of B of each model, in the same dashes.
   chart.script =
       "set datafile missing \"-\"\nset xlabel \"\u03c4\"\nset ylabel \"f\"\nset key width -4\n"
       "plot data using 1:2 with points pointtype 6 pointsize 1 linecolor rgb \"#1f5a96\", "

@@ -24,7 +24,7 @@ namespace {
 constexpr int samples = 1024, levels = 6, first_drawn = 3;
 constexpr const char* spline = "bspline4.4";
 constexpr const char* daubechies = "db4";
-/// Of the line in the picture, as a share of the diagonal; half of it is not seen.
+/// Width of the line in the picture, as a share of the diagonal; half of it is not seen.
 constexpr double line_width = 0.01;
 
 /// Approximation k = 0 .. levels from samples / 2^k numbers.

@@ -25,7 +25,7 @@ namespace {
 using Eigen::Index;
 
 constexpr int frames = 12;
-/// Of fitted curves, as a share of the view box: a quarter of a pixel of a picture 512 wide.
+/// Tolerance of fitted curves, as a share of the view box: a quarter of a pixel of a picture 512 wide.
 constexpr double tolerance = 1.0 / 2048;
 
 motion::Morph face_morph(motion::Detail detail, Index scale) {
@@ -47,7 +47,7 @@ Index total_crossings(const motion::Morph& morph) {
   return total;
 }
 
-/// Of one key of all layers.
+/// The vertices of one key of all layers.
 Index vertices(const motion::Animation& animation, double fit_tolerance) {
   const io::AnimatedControlPoints points = io::control_points(animation, fit_tolerance);
   Index count = 0;

@@ -26,7 +26,7 @@ using Eigen::VectorXd;
 
 constexpr Index samples = 128;
 constexpr double s1 = 6, s2 = 0.05;
-/// Of the controlled Runge-Kutta method whose cost is counted.
+/// Tolerance of the controlled Runge-Kutta method whose cost is counted.
 constexpr double tolerance = 1e-6;
 
 dynamics::LagrangeSystem system_of(Index size) {

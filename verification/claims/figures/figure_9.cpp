@@ -150,7 +150,7 @@ std::string figure_svg(const std::vector<Source>& sources, const gait::GaitParam
       right_panel + width + 20, top + 4 * row + 36, svg);
 }
 
-/// Of begins and lengths, the farthest apart.
+/// The largest difference of begins and lengths.
 double largest_difference(const Footfalls& a, const Footfalls& b) {
   double largest = 0;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -25,11 +25,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Of the initial displacement; more is seen.
+/// A share of the initial displacement; a larger error is seen.
 constexpr double small_error = 0.05;
 constexpr Index figure_samples = 64, instants = 41;
 
-/// Of the two simplified models, one entry a time.
+/// Errors of the two simplified models, one entry a time.
 struct Errors {
   VectorXd decoupled, block_decoupled;
 };

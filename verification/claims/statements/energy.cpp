@@ -22,7 +22,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Of the energy at the start. Asked for: 1e-10 without damping. An increase below the second is
+/// Shares of the energy at the start. Asked for: 1e-10 without damping. An increase below the second is
 /// rounding: a state is exact to some hundred units of 2^-53 of the energy.
 constexpr double conserved = 1e-10, no_increase = 1e-13;
 constexpr double end = 100;

@@ -12,7 +12,7 @@ namespace wavecurve::dynamics::plain {
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Of one coordinate: unknowns (q, q', 1, cos_1, sin_1, ...), whose derivative is A times them.
+/// The matrix A of one coordinate: unknowns (q, q', 1, cos_1, sin_1, ...), whose derivative is A times them.
 template <class Scalar>
 Matrix<Scalar> first_order_matrix(const InitialValueProblem& problem, Eigen::Index coordinate) {
   const LagrangeSystem& system = problem.system;

@@ -82,7 +82,7 @@ class Massless {
 
   const Eigen::MatrixXd& displacement() const { return q_; }
 
-  /// Of the equation, C^-1 (Q - K q).
+  /// The velocity by the equation, C^-1 (Q - K q).
   Eigen::MatrixXd velocity(double t) {
     Eigen::MatrixXd result(q_.rows(), q_.cols());
     damping_->solve(unbalanced(balance_.load(t, q_, velocity_)), result);

@@ -11,16 +11,16 @@ namespace wavecurve::io {
 struct OutputOptions {
   /// Frames, equidistant, the first at the beginning and the last at the end of the animation.
   int frames = 60;
-  /// Of fitted cubic Bezier curves (fit_cubics), in units of the drawing; 0: polygons.
+  /// Tolerance of fitted cubic Bezier curves (fit_cubics), in units of the drawing; 0: polygons.
   double tolerance = 0;
-  /// Of written coordinates, as a share of the longer side of the view box.
+  /// Accuracy of written coordinates, as a share of the longer side of the view box.
   double accuracy = 1e-4;
-  /// Of a page; empty: the name of the file.
+  /// Title of a page; empty: the name of the file.
   std::string title = {};
   /// Plays for ever, not once. There is no jump in an animation that went there_and_back, as a
   /// morph does for this.
   bool loop = false;
-  /// Of the longer side of a rendered frame.
+  /// Pixels of the longer side of a rendered frame.
   int pixels = 512;
   /// Behind the layers, in formats that are not transparent.
   Colour background{1, 1, 1};

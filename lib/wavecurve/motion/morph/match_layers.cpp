@@ -21,7 +21,7 @@ using Eigen::Index;
 using Layers = std::vector<FrameLayer>;
 using Partners = std::vector<std::optional<std::size_t>>;
 
-/// Of the largest contour, which the others are holes or pieces of.
+/// The largest contour, which the others are holes or pieces of.
 const Contour& largest(const std::vector<Contour>& outline) {
   return *std::max_element(outline.begin(), outline.end(), [](const Contour& a, const Contour& b) {
     return std::abs(signed_area(a)) < std::abs(signed_area(b));

@@ -37,7 +37,7 @@ void check_scale(const Morph& morph, const MorphLayer& layer, Index samples) {
   }
 }
 
-/// Of the control points, released at rest, times not yet set.
+/// The problem of the control points, released at rest, times not yet set.
 dynamics::InitialValueProblem released(const Morph& morph, const MorphLayer& layer,
                                        const ContourPair& pair,
                                        const dynamics::Material& material) {
@@ -50,7 +50,7 @@ dynamics::InitialValueProblem released(const Morph& morph, const MorphLayer& lay
               (pair.source - pair.destination).topRows(scale) / coarse_factor(samples, scale)};
 }
 
-/// Of the mean, thrown so that it is back at the last of the times.
+/// The path of the mean, thrown so that it is back at the last of the times.
 Eigen::RowVector2d arc(const PhysicalOptions& options, double time, double last) {
   const dynamics::Material& material = options.material;
   const dynamics::Oscillator mean{

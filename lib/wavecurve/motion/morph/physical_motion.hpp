@@ -15,7 +15,7 @@ namespace wavecurve::motion {
 /// longer side of the view box: a pixel of 500.
 constexpr double settled_share = 0.002;
 
-/// Of a motion whose slowest mode swings over by a third, and back, while the stiffness damping
+/// The material of a motion whose slowest mode swings over by a third, and back, while the stiffness damping
 /// takes the fast ones out at once. The n-th mode swings n times a unit of time and has the damping
 /// ratio pi n stiffness_damping (dynamics/lagrange_system.hpp).
 constexpr dynamics::Material lively_material{.stiffness_damping = 0.1};

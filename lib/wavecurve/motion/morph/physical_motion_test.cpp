@@ -18,7 +18,7 @@ using Eigen::Index;
 constexpr Index samples = 128, scale = 16;
 constexpr int levels = 5;
 
-/// Of n leaves, its mean at 0 for n > 1.
+/// A rosette of n leaves, its mean at 0 for n > 1.
 Contour rosette(int n, double size = 1) {
   Contour points(samples, 2);
   for (Index i = 0; i < samples; ++i) {

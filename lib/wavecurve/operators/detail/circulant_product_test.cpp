@@ -19,7 +19,7 @@ std::vector<double> numbers(std::size_t count, int step) {
   return values;
 }
 
-/// Of each number of weights up to 12, those that are unrolled among them, and counts that are
+/// Tries each number of weights up to 12, those that are unrolled among them, and counts that are
 /// whole vectors and that are not.
 template <class Use>
 void for_each_case(Use use) {

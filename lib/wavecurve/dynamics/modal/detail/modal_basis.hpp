@@ -26,7 +26,7 @@ class ModalBasis {
 
   ModalCoefficients forward(const Eigen::Ref<const Eigen::MatrixXd>& coefficients);
   Eigen::MatrixXd backward(ModalCoefficients spectrum, Eigen::Index coordinates);
-  /// Of one forward or backward change of two coordinates, by formula.
+  /// The operations of one forward or backward change of two coordinates, by formula.
   virtual long long operations() const = 0;
 
  protected:
@@ -37,7 +37,7 @@ class ModalBasis {
   ModalBasis(CirculantEigenvalues modes, std::vector<int> mode_of_row);
 
  private:
-  /// Of two coordinates; from_modes uses up the modes.
+  /// Changes two coordinates at once; from_modes uses up the modes.
   virtual void to_modes(In first, In second, Column modes) = 0;
   virtual void from_modes(Column modes, Out first, Out second) = 0;
 

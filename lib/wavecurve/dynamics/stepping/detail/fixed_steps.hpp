@@ -19,7 +19,7 @@ Trajectory in_fixed_steps(const InitialValueProblem& problem, double step, Make 
       const double count = std::ceil((next - time) / step * (1 - 1e-12));
       if (next > time) {
         const double h = (next - time) / count;
-        // Of equally spaced times all distances are the same but for rounding.
+        // The distances of equally spaced times are the same but for rounding.
         if (!(std::abs(h / last - 1) < 1e-12)) method.set_step(last = h);
         for (double i = 0; i < count; ++i) method.step(time + i * h);
       }

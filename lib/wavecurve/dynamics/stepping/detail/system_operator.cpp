@@ -54,7 +54,7 @@ SystemOperator::SystemOperator(const LagrangeSystem& system, double gram, double
   const auto n = static_cast<long long>(system.samples());
   const long long taps = system.bank().synthesis_low.size() + system.bank().synthesis_high.size();
   const long long width = combined(system, gram, stiffness).mu.size();
-  // Of each sample of each level, half of the taps of both filters, twice.
+  // Each sample of each level takes half of the taps of both filters, twice.
   operations_ = 4 * taps * (n - (n >> system.levels())) + 2 * width * n;
 }
 

@@ -48,6 +48,7 @@ class FolderBeside {
 bool replaces_frames(const fs::path& folder) {
   if (!fs::exists(folder)) return false;
   if (!fs::is_directory(folder)) cannot_write_folder(folder, ENOTDIR);
+  // std::regex recurses on the length of its input; the name of a file has at most 255 bytes.
   const std::regex frame("frame-[0-9]+\\.png");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (!std::regex_match(entry.path().filename().string(), frame))

@@ -104,7 +104,7 @@ PhaseData runs_of(const Eigen::VectorXd& times, const Pair& pair, const std::arr
   return data;
 }
 
-/// Of a left limb: at 1 and 2 its own, at 1' and 2' the right one's of 1 and 2.
+/// The pose of a left limb: at 1 and 2 its own, at 1' and 2' the right one's of 1 and 2.
 Contour key_pose(const Eigen::VectorXd& times, const Pair& pair, const std::array<double, 2>& keys,
                  int number, double period) {
   const bool is_own = number < 2;

@@ -20,7 +20,7 @@ struct FitQuality {
   /// The same of the cycles that a fit left out, each in its turn, its own key frames given; of one
   /// cycle alone, of every fifth frame. The periodic model gets no key frames.
   double cross_validated = 0;
-  /// Of the foot's fore-aft position alone, as a share of its excursion: the figure that others
+  /// The error of the foot's fore-aft position alone, as a share of its excursion: the figure that others
   /// give. Along half a cosine, from rest to rest, a straight line leaves 0.075 of it.
   double foot_share_of_excursion = 0;
   int cycles = 0;

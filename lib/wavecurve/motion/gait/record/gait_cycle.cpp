@@ -161,7 +161,7 @@ double mean_period(const std::vector<LimbCycle>& limbs) {
   return sum / count;
 }
 
-/// Of the touch-downs after the nearest of the reference, as a share of the period, 0 <= s < 1.
+/// The mean delay of the touch-downs after the nearest of the reference, as a share of the period, 0 <= s < 1.
 double touch_down_share(const LimbCycle& limb, const LimbCycle& reference, double period) {
   std::complex<double> mean = 0;
   for (const Reversal& reversal : limb.reversals) {
@@ -200,7 +200,7 @@ double speed_of_ground(const LimbTracks& tracks, const std::vector<FootPath>& pa
   return *middle;
 }
 
-/// Of the tracks as they are; nothing if a limb completes no cycle.
+/// The cycle of the tracks as they are; nothing if a limb completes no cycle.
 std::optional<GaitCycle> analyse(const LimbTracks& tracks) {
   const std::vector<FootPath> paths = foot_paths(tracks);
   check_pairs(paths);

@@ -51,7 +51,7 @@ std::vector<LayerMatch> painting_order(const std::vector<LayerMatch>& matches,
                                        const std::vector<FrameLayer>& source,
                                        const std::vector<FrameLayer>& destination) {
   const std::vector<Box> source_boxes = boxes_of(source), end_boxes = boxes_of(destination);
-  // Of two matches that the boxes order one way in the source and the other in the destination.
+  // Decides between two matches that the boxes order one way in the source and the other in the destination.
   const auto source_decides = [&](const LayerMatch& a, const LayerMatch& b) {
     return overlap(source[*a.source], source[*b.source]) ||
            !overlap(destination[*a.destination], destination[*b.destination]);

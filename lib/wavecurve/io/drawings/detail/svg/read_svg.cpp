@@ -215,7 +215,7 @@ class SvgReader {
     warn_of_clipping(first, outside, shown_at);
   }
 
-  /// Of the layers from `first` on, where they leave the box that a viewport shows.
+  /// Warns of the layers from `first` on, where they leave the box that a viewport shows.
   void warn_of_clipping(std::size_t first, const Eigen::Affine2d& transform, const ViewBox& box) {
     const Eigen::Vector2d corner(box.x, box.y), size(box.width, box.height);
     const Eigen::Vector2d margin = 1e-9 * size;

@@ -111,7 +111,7 @@ class StyleReader {
     }
   }
 
-  /// Of the stops of a gradient, or of the gradient that it refers to.
+  /// The mean colour of the stops of a gradient, or of the gradient that it refers to.
   std::optional<TransparentColour> mean_colour(const XmlElement& first,
                                                const TransparentColour& current) const {
     const XmlElement* gradient = &first;

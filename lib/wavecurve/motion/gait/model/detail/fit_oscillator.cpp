@@ -72,7 +72,7 @@ MatrixXd fit_oscillator(const PhaseData& data, double least_movement, const Matr
   }
   mean_square /= static_cast<double>(data.runs.size());
   MatrixXd result = MatrixXd::Constant(2, coefficients, std::numeric_limits<double>::quiet_NaN());
-  // Of cos(pi tau / 2), lightly damped.
+  // The constants of cos(pi tau / 2), lightly damped.
   const Eigen::Vector2d quarter_swing(0.5, 2.5);
   for (Index i = 0; i < coefficients; ++i) {
     if (!(mean_square[i] >= least_movement * least_movement) || frames < 2) continue;

@@ -22,7 +22,7 @@ class Levels {
         transform_(bank, control_points, levels_),
         workspace_(transform_.workspace_size()) {}
 
-  /// Of each row, the coefficients of x, then those of y; or back.
+  /// Transforms, in each row, the coefficients of x, then those of y; or back.
   MatrixXd analysed(MatrixXd rows) { return each_half(std::move(rows), true); }
   MatrixXd synthesised(MatrixXd rows) { return each_half(std::move(rows), false); }
 

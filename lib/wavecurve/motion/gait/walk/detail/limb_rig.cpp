@@ -16,7 +16,7 @@ using Eigen::RowVector2d;
 constexpr double most_hinge_shift = 0.08;  ///< of the limb's length: a trunk does not stretch
 constexpr Index around = 3;  ///< pieces of the midline on either side that turn with one
 
-/// Of the open polygon.
+/// The length of the open polygon.
 double length(const Contour& nodes) {
   double sum = 0;
   for (Index i = 0; i + 1 < nodes.rows(); ++i) sum += (nodes.row(i + 1) - nodes.row(i)).norm();

@@ -30,7 +30,7 @@ class LimbRig {
   double drawn_lean() const;
   double recorded_lean(const Contour& recorded) const;
 
-  /// Of each drawn point, the share of the way from hinge to foot.
+  /// The share of the way from hinge to foot of each drawn point.
   const Eigen::VectorXd& shares() const { return drawn_midline_.shares(); }
   Eigen::Index foot() const { return drawn_midline_.foot(); }
   const Contour& drawn() const { return drawn_; }

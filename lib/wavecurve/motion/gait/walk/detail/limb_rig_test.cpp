@@ -85,7 +85,7 @@ TEST(LimbRig, KeepsLengthAndWidth) {
   };
   // The middle of the two sides of a bend is not quite the axis.
   EXPECT_NEAR(length(after), length(before), 0.02 * 40);
-  // Of points on both sides of a straight part, that turn by nearly the same.
+  // The distance of points on both sides of a straight part, that turn by nearly the same.
   for (Eigen::Index i : {10, 50}) {
     const double width = (drawn.row(i) - drawn.row(127 - i)).norm();
     EXPECT_NEAR((pose.row(i) - pose.row(127 - i)).norm(), width, 0.1 * width);

@@ -14,13 +14,13 @@ namespace wavecurve::gait {
 /// middle between the points that lie the same share of the way from hinge to foot on both sides.
 class Midline {
  public:
-  /// Of an outline at rest. Throws std::invalid_argument unless nodes >= 2, the foot is a point,
+  /// The midline of an outline at rest. Throws std::invalid_argument unless nodes >= 2, the foot is a point,
   /// and the outline has a length.
   Midline(const Contour& rest, Eigen::Index foot, int nodes = 32);
 
   Eigen::Index hinge() const { return hinge_; }
   Eigen::Index foot() const { return foot_; }
-  /// Of each point of the outline, the share of the way, 0 at the hinge, 1 at the foot.
+  /// The share of the way of each point of the outline, 0 at the hinge, 1 at the foot.
   const Eigen::VectorXd& shares() const { return shares_; }
   /// The nodes, hinge first, of an outline whose points are those of the one at rest.
   Contour nodes(const Contour& outline) const;

@@ -65,7 +65,7 @@ class WalkingLimb {
   Eigen::RowVector2d mean_hinge_shift_ = Eigen::RowVector2d::Zero();
   double own_stride_ = 0, stride_ = 0, middle_x_ = 0, ground_y_ = 0, slide_before_ = 0;
   bool is_held_ = false;
-  /// Of the reach at touch-down and at lift-off, with its slope by the share of the cycle.
+  /// The reach at touch-down and at lift-off, with its slope by the share of the cycle.
   Eigen::RowVector2d down_, down_slope_, off_, off_slope_;
 };
 
