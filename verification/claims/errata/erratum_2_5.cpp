@@ -11,7 +11,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::erratum_2_5 {
 
 namespace {
 
@@ -100,4 +100,4 @@ const RegisterClaim registered({"erratum-2-5",
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::erratum_2_5

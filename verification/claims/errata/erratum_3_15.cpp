@@ -16,7 +16,7 @@
 #include "verification/study/free_motion.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::erratum_3_15 {
 
 namespace {
 
@@ -152,4 +152,4 @@ const RegisterClaim registered({"erratum-3-15",
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::erratum_3_15

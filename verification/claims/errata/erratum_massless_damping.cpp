@@ -10,7 +10,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::erratum_massless_damping {
 
 namespace {
 
@@ -102,4 +102,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::erratum_massless_damping

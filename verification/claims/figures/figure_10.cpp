@@ -11,7 +11,7 @@
 #include "verification/stand_ins/example_gait.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_10 {
 
 namespace {
 
@@ -105,4 +105,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_10

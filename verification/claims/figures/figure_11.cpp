@@ -12,7 +12,7 @@
 #include "verification/stand_ins/example_gait.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_11 {
 
 namespace {
 
@@ -240,4 +240,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_11

@@ -8,7 +8,7 @@
 #include "verification/stand_ins/walking_dog.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_12 {
 
 namespace {
 
@@ -53,4 +53,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_12

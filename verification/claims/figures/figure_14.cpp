@@ -9,7 +9,7 @@
 #include "verification/stand_ins/walking_dog.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_14 {
 
 namespace {
 
@@ -92,4 +92,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_14

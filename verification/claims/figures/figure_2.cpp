@@ -17,7 +17,7 @@
 #include "verification/stand_ins/fourier_descriptor.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_2 {
 
 namespace {
 
@@ -203,4 +203,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_2

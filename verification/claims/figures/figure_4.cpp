@@ -18,7 +18,7 @@
 #include "verification/stand_ins/example_drawing.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_4 {
 
 namespace {
 
@@ -114,4 +114,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_4

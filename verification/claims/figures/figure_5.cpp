@@ -17,7 +17,7 @@
 #include "verification/stand_ins/example_drawing.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_5 {
 
 namespace {
 
@@ -200,4 +200,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_5

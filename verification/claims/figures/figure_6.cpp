@@ -16,7 +16,7 @@
 #include "verification/study/named_shapes.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_6 {
 
 namespace {
 
@@ -153,4 +153,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_6

@@ -16,7 +16,7 @@
 #include "verification/study/named_shapes.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_7 {
 
 namespace {
 
@@ -150,4 +150,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_7

@@ -9,7 +9,7 @@
 #include "verification/stand_ins/frame_sheet.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_8 {
 
 namespace {
 
@@ -66,4 +66,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_8

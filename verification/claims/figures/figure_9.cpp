@@ -12,7 +12,7 @@
 #include "verification/stand_ins/footfalls.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::figure_9 {
 
 namespace {
 
@@ -224,4 +224,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::figure_9

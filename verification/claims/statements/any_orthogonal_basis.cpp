@@ -15,7 +15,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::any_orthogonal_basis_claim {
 
 namespace {
 
@@ -97,4 +97,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::any_orthogonal_basis_claim

@@ -17,7 +17,7 @@
 #include "verification/stand_ins/example_drawing.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::crossings_claim {
 
 namespace {
 
@@ -166,4 +166,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::crossings_claim

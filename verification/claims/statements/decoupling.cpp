@@ -18,7 +18,7 @@
 #include "verification/study/named_shapes.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::decoupling_claim {
 
 namespace {
 
@@ -334,4 +334,4 @@ const RegisterClaim registered({"decoupling", "Decoupling costs only small error
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::decoupling_claim

@@ -14,7 +14,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::diagonally_dominant_claim {
 
 namespace {
 
@@ -129,4 +129,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::diagonally_dominant_claim

@@ -18,7 +18,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::dpwt_invertibility_claim {
 
 namespace {
 
@@ -121,4 +121,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::dpwt_invertibility_claim

@@ -12,7 +12,7 @@
 #include "verification/suite/claim.hpp"
 #include "verification/tables/moment_condition.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::dropped_equation_claim {
 
 namespace {
 
@@ -55,4 +55,4 @@ const RegisterClaim registered({"dropped-equation",
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::dropped_equation_claim

@@ -15,7 +15,7 @@
 #include "verification/study/named_shapes.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::energy_claim {
 
 namespace {
 
@@ -193,4 +193,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::energy_claim

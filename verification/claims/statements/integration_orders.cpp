@@ -22,7 +22,7 @@
 #include "verification/study/power_fit.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::integration_orders_claim {
 
 namespace {
 
@@ -232,4 +232,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::integration_orders_claim

@@ -14,7 +14,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::mass_matrix_claim {
 
 namespace {
 
@@ -82,4 +82,4 @@ const RegisterClaim registered({"mass-matrix", "The mass matrix is a multiple of
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::mass_matrix_claim

@@ -16,7 +16,7 @@
 #include "verification/study/free_motion.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::mean_displacement_claim {
 
 namespace {
 
@@ -127,4 +127,4 @@ const RegisterClaim registered({"mean-displacement",
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::mean_displacement_claim

@@ -15,7 +15,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::off_diagonal_energy_claim {
 
 namespace {
 
@@ -176,4 +176,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::off_diagonal_energy_claim

@@ -12,7 +12,7 @@
 #include "verification/suite/claim.hpp"
 #include "verification/tables/moment_condition.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::rank_deficiency_claim {
 
 namespace {
 
@@ -84,4 +84,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::rank_deficiency_claim

@@ -16,7 +16,7 @@
 #include "verification/stand_ins/example_contour.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::samples_as_coefficients_claim {
 
 namespace {
 
@@ -115,4 +115,4 @@ const RegisterClaim registered(
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::samples_as_coefficients_claim

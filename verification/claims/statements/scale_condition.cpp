@@ -9,7 +9,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::scale_condition_claim {
 
 namespace {
 
@@ -57,4 +57,4 @@ const RegisterClaim registered({"scale-condition", "The condition for the scale 
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::scale_condition_claim

@@ -18,7 +18,7 @@
 #include "verification/study/named_shapes.hpp"
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::schulz_claim {
 
 namespace {
 
@@ -178,4 +178,4 @@ const RegisterClaim registered({"schulz", "Schulz' iteration converges quadratic
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::schulz_claim

@@ -12,7 +12,7 @@
 
 #include "verification/suite/claim.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::sparse_claim {
 
 namespace {
 
@@ -137,4 +137,4 @@ const RegisterClaim registered({"sparse", "The stiffness matrix is sparse", "Abs
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::sparse_claim

@@ -4,7 +4,7 @@
 #include "verification/tables/check_table.hpp"
 #include "verification/tables/table_evidence.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::table_1 {
 
 namespace {
 
@@ -27,4 +27,4 @@ const RegisterClaim registered({"table-1", "Autocorrelations and coefficients of
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::table_1

@@ -14,7 +14,7 @@
 #include "verification/tables/routes.hpp"
 #include "verification/tables/table_evidence.hpp"
 
-namespace wavecurve::verification {
+namespace wavecurve::verification::table_2 {
 
 namespace {
 
@@ -114,4 +114,4 @@ const RegisterClaim registered({"table-2", "Autocorrelations and coefficients of
 
 }  // namespace
 
-}  // namespace wavecurve::verification
+}  // namespace wavecurve::verification::table_2
