@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "wavecurve/certified/basis_function.hpp"
+#include "wavecurve/certified/detail/is_accurate.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/refinable.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
@@ -13,8 +15,6 @@
 namespace wavecurve::certified {
 
 namespace {
-
-constexpr int highest_derivative = 8;
 
 void require_orders(int p, int q) {
   for (const int order : {p, q}) {
@@ -43,18 +43,6 @@ Filter<Scalar> with_alternating_signs(Filter<Scalar> alpha) {
   return alpha;
 }
 
-/// A coefficient that is nearly zero may be known only absolutely; the largest sets the scale.
-/// Compared as balls: as doubles both sides would underflow at about 1000 bits.
-bool accurate(const Filter<Ball>& values, long bits) {
-  Ball largest(0), radius(0);
-  for (const Ball& value : values.taps) {
-    const Ball magnitude = abs(value.midpoint());
-    if (certainly_less(largest, magnitude)) largest = magnitude;
-    if (certainly_less(radius, value.radius())) radius = value.radius();
-  }
-  return !certainly_less(largest * Ball(Rational::power_of_two(-bits)), radius);
-}
-
 }  // namespace
 
 ConnectionCoefficients<Ball> connection_coefficients(const FilterDefinition& definition, int p,
@@ -73,7 +61,7 @@ ConnectionCoefficients<Ball> connection_coefficients(const FilterDefinition& def
 }
 
 bool is_accurate(const ConnectionCoefficients<Ball>& coefficients, long bits) {
-  return accurate(coefficients.mu, bits) && accurate(coefficients.nu, bits);
+  return is_accurate(coefficients.mu, bits) && is_accurate(coefficients.nu, bits);
 }
 
 std::optional<ConnectionCoefficients<Rational>> exact_connection_coefficients(
