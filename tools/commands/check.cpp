@@ -25,6 +25,12 @@ std::string form_text(const CheckedColumn& column) {
   return fmt::format("{} {}", column.digits, column.scientific ? "significant digits" : "decimals");
 }
 
+/// A number where the index is an integer, as it always was; else its text.
+nlohmann::ordered_json index_as_json(const EntryIndex& index) {
+  if (index.is_integer()) return index.integer();
+  return index.text();
+}
+
 std::string table_as_json(const CheckedTable& table) {
   nlohmann::ordered_json result;
   result["table"] = table.title;
@@ -32,7 +38,7 @@ std::string table_as_json(const CheckedTable& table) {
   for (const CheckedRow& row : table.rows) {
     result["rows"].push_back({{"filter", row.entry.filter},
                               {"quantity", to_string(row.entry.quantity)},
-                              {"index", row.entry.index},
+                              {"index", index_as_json(row.entry.index)},
                               {"printed", row.entry.printed},
                               {"verdict", to_string(row.verdict)},
                               {"certified", row.certified},
@@ -64,9 +70,10 @@ std::string table_as_csv(const CheckedTable& table) {
   std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail,route\n";
   for (const CheckedRow& row : table.rows) {
     result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", io::csv_field(row.entry.filter),
-                          to_string(row.entry.quantity), row.entry.index,
-                          io::csv_field(row.entry.printed), to_string(row.verdict), row.certified,
-                          row.ulps, io::csv_field(row.detail), io::csv_field(row.route));
+                          io::csv_field(to_string(row.entry.quantity)),
+                          io::csv_field(row.entry.index.text()), io::csv_field(row.entry.printed),
+                          to_string(row.verdict), row.certified, row.ulps,
+                          io::csv_field(row.detail), io::csv_field(row.route));
   }
   return result;
 }
@@ -75,10 +82,9 @@ std::string table_as_text(const CheckedTable& table) {
   std::vector<std::vector<std::string>> cells{
       {"filter", "quantity", "index", "printed", "certified", "ulps", "verdict", "detail"}};
   for (const CheckedRow& row : table.rows) {
-    cells.push_back({row.entry.filter, std::string(to_string(row.entry.quantity)),
-                     std::to_string(row.entry.index), row.entry.printed, row.certified,
-                     fmt::format("{:.3g}", row.ulps), std::string(to_string(row.verdict)),
-                     row.detail});
+    cells.push_back({row.entry.filter, to_string(row.entry.quantity), row.entry.index.text(),
+                     row.entry.printed, row.certified, fmt::format("{:.3g}", row.ulps),
+                     std::string(to_string(row.verdict)), row.detail});
   }
   std::vector<std::size_t> widths(cells[0].size(), 0);
   for (const auto& row : cells) {

@@ -12,6 +12,7 @@
 #include "wavecurve/certified/decimal_enclosure.hpp"
 #include "wavecurve/certified/rounding.hpp"
 
+#include "verification/tables/filter_values.hpp"
 #include "verification/tables/misprint.hpp"
 #include "verification/tables/print_form.hpp"
 #include "verification/tables/published_taps.hpp"
@@ -124,7 +125,7 @@ Eigen::VectorXd printed_alpha(const std::vector<Column>& columns, const FilterVa
     if (&column.filter != &filter) continue;
     if (column.result.quantity != Quantity::autocorrelation) continue;
     for (const Row& row : column.rows) {
-      const int n = std::abs(row.result.entry.index);
+      const int n = std::abs(row.result.entry.index.integer());
       alpha[n] = row.result.entry.number.to_double();
       known[static_cast<std::size_t>(n)] = true;
     }
@@ -161,8 +162,8 @@ ColumnToExplain column_to_explain(const Column& column) {
   ColumnToExplain result{column.result.quantity, column.form.form, {}};
   for (const Row& row : column.rows) {
     const PublishedEntry& entry = row.result.entry;
-    const int place =
-        is_taps(entry.quantity) ? entry.index - column.filter.first_tap() : std::abs(entry.index);
+    const int place = is_taps(entry.quantity) ? entry.index.integer() - column.filter.first_tap()
+                                              : std::abs(entry.index.integer());
     EntryToExplain explained{static_cast<std::size_t>(place), entry.number, std::nullopt, row.wrong,
                              row.value.to_double()};
     if (row.repair) explained.repaired = row.repair->repaired;

@@ -25,7 +25,7 @@ struct CheckedRow {
 /// The rows of one filter and quantity.
 struct CheckedColumn {
   std::string filter;
-  Quantity quantity = Quantity::taps;
+  Quantity quantity;
   /// Decimals (in scientific notation: significant digits) of most of its prints; if several are as
   /// common, the largest. A bare 0 has no say.
   int digits = 0;

@@ -19,7 +19,7 @@ struct EntryToExplain {
 };
 
 struct ColumnToExplain {
-  Quantity quantity = Quantity::taps;
+  Quantity quantity;
   PrintForm form;
   std::vector<EntryToExplain> entries;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
 #include "wavecurve/io/files/read_file.hpp"
@@ -18,17 +16,6 @@
 namespace wavecurve::verification {
 
 namespace {
-
-constexpr std::array<std::pair<Quantity, std::string_view>, 8> quantity_names{{
-    {Quantity::taps, "h"},
-    {Quantity::taps_sum_2, "h*sqrt2"},
-    {Quantity::taps_sum_1, "h/sqrt2"},
-    {Quantity::autocorrelation, "alpha"},
-    {Quantity::mu, "mu"},
-    {Quantity::nu, "nu"},
-    {Quantity::mu_normalized, "mu/mu0"},
-    {Quantity::nu_normalized, "nu/nu0"},
-}};
 
 constexpr std::array<std::string_view, 4> column_names{"filter", "quantity", "index", "printed"};
 constexpr std::size_t longest_line = 10000;  // a page of a book holds fewer characters
@@ -58,27 +45,6 @@ Header parse_header(std::string_view line) {
   return header;
 }
 
-Quantity parse_quantity(std::string_view text) {
-  for (const auto& [quantity, name] : quantity_names) {
-    if (name == text) return quantity;
-  }
-  throw std::invalid_argument(unknown_name("quantity", text, quantity_names,
-                                           [](const auto& entry) { return entry.second; }));
-}
-
-int parse_index(std::string_view text) {
-  int index = 0;
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), index);
-  if (error == std::errc::result_out_of_range) {
-    throw std::invalid_argument("the index " + excerpt(text) + " is out of range");
-  }
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::invalid_argument("the index " + excerpt(text) + " is not an integer");
-  }
-  return index;
-}
-
 PublishedEntry parse_entry(std::string_view line, const Header& header) {
   std::vector<std::string> fields = io::csv_fields(line);
   if (fields.size() != header.size()) {
@@ -92,7 +58,7 @@ PublishedEntry parse_entry(std::string_view line, const Header& header) {
   if (entry.filter.size() > longest_name)
     throw std::invalid_argument("the filter's name is too long");
   entry.quantity = parse_quantity(fields[header[1]]);
-  entry.index = parse_index(fields[header[2]]);
+  entry.index = parse_entry_index(fields[header[2]]);
   entry.printed = std::move(fields[header[3]]);
   entry.number = parse_printed_number(entry.printed);
   return entry;
@@ -163,7 +129,7 @@ class Reader {
   void add(PublishedEntry entry) {
     entry.line = line_;
     const auto [seen, is_new] =
-        seen_.emplace(std::tuple(entry.filter, entry.quantity, entry.index), line_);
+        seen_.emplace(std::tuple(entry.filter, to_string(entry.quantity), entry.index), line_);
     if (!is_new) {
       throw std::invalid_argument("the row repeats line " + std::to_string(seen->second));
     }
@@ -173,22 +139,10 @@ class Reader {
   PublishedTable table_;
   int line_ = 0;
   std::optional<Header> header_;
-  std::map<std::tuple<std::string, Quantity, int>, int> seen_;
+  std::map<std::tuple<std::string, std::string, EntryIndex>, int> seen_;
 };
 
 }  // namespace
-
-std::string_view to_string(Quantity quantity) {
-  for (const auto& [known, name] : quantity_names) {
-    if (known == quantity) return name;
-  }
-  throw std::invalid_argument("not a quantity");
-}
-
-bool is_taps(Quantity quantity) {
-  return quantity == Quantity::taps || quantity == Quantity::taps_sum_2 ||
-         quantity == Quantity::taps_sum_1;
-}
 
 std::string PublishedTable::location(const PublishedEntry& entry) const {
   return file + ":" + std::to_string(entry.line) + ": ";

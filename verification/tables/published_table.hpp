@@ -5,31 +5,17 @@
 #include <string_view>
 #include <vector>
 
+#include "verification/tables/entry_index.hpp"
 #include "verification/tables/printed_number.hpp"
+#include "verification/tables/quantity.hpp"
 
 namespace wavecurve::verification {
-
-/// What a column of a published table lists; the index of a tap is its n.
-enum class Quantity {
-  taps,             ///< "h": taps of phi's filter, sum sqrt 2
-  taps_sum_2,       ///< "h*sqrt2": the same with the sum 2
-  taps_sum_1,       ///< "h/sqrt2": the same with the sum 1
-  autocorrelation,  ///< "alpha"
-  mu,
-  nu,
-  mu_normalized,  ///< "mu/mu0"
-  nu_normalized,  ///< "nu/nu0"
-};
-
-/// The name that tables use, such as "h*sqrt2".
-std::string_view to_string(Quantity quantity);
-bool is_taps(Quantity quantity);
 
 struct PublishedEntry {
   int line = 0;        ///< in the file, from 1
   std::string filter;  ///< as the table names it
-  Quantity quantity = Quantity::taps;
-  int index = 0;
+  Quantity quantity;
+  EntryIndex index;
   std::string printed;  ///< as the table has it
   PrintedNumber number;
 };

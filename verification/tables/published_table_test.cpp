@@ -83,10 +83,10 @@ TEST(PublishedTable, NamesFileLineAndFaultOfAMalformedTable) {
                   .starts_with("t.csv:1: the header has 5 columns"));
   EXPECT_TRUE(refusal(row).starts_with("t.csv:1: the header has no column"));
   EXPECT_TRUE(refusal(header + row + "D8,h,1\n").starts_with("t.csv:3: the row has 3 fields"));
-  EXPECT_TRUE(refusal(header + "D8,g,0,0.25\n").starts_with("t.csv:2: unknown quantity 'g'"));
+  EXPECT_TRUE(refusal(header + "D8,q,0,0.25\n").starts_with("t.csv:2: the quantity 'q' is not"));
   EXPECT_TRUE(
       refusal(header + "D8,h,x,0.25\n").starts_with("t.csv:2: the index 'x' is not an integer"));
-  EXPECT_TRUE(refusal(header + "D8,h,1.5,0.25\n").starts_with("t.csv:2: the index '1.5' is not"));
+  EXPECT_TRUE(refusal(header + "D8,h,1.7,0.25\n").starts_with("t.csv:2: the index '1.7' is not"));
   EXPECT_TRUE(refusal(header + "D8,h,99999999999999,0.25\n").starts_with("t.csv:2: the index"));
   EXPECT_TRUE(
       refusal(header + "D8,h,0,abc\n").starts_with("t.csv:2: 'abc' is not a decimal number"));

@@ -26,7 +26,7 @@ std::vector<fs::path> tap_tables() {
   return paths;
 }
 
-double factor_to_sum_sqrt2(Quantity quantity) {
+double factor_to_sum_sqrt2(const Quantity& quantity) {
   if (quantity == Quantity::taps_sum_2) return 1 / std::numbers::sqrt2;
   if (quantity == Quantity::taps_sum_1) return std::numbers::sqrt2;
   return 1;

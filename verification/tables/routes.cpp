@@ -38,7 +38,7 @@ std::vector<int> roundings(int column_decimals) {
   return result;
 }
 
-double tap_factor(Quantity quantity) {
+double tap_factor(const Quantity& quantity) {
   if (quantity == Quantity::taps_sum_2) return std::numbers::sqrt2;
   if (quantity == Quantity::taps_sum_1) return 1 / std::numbers::sqrt2;
   return 1;
@@ -53,10 +53,10 @@ std::vector<RouteValues> tap_sources(const RouteInput& input) {
   }
   sources.push_back({"taps in single precision", input.taps.cast<float>().cast<double>()});
   for (const int n : roundings(input.decimals)) {
-    for (const Quantity normalization :
+    for (const Quantity& normalization :
          {Quantity::taps, Quantity::taps_sum_1, Quantity::taps_sum_2}) {
       const double factor = tap_factor(normalization);
-      sources.push_back({std::string(to_string(normalization)) + decimals_text(n),
+      sources.push_back({to_string(normalization) + decimals_text(n),
                          round_to_decimals(input.taps * factor, n) / factor});
     }
   }
@@ -163,25 +163,17 @@ VectorXd wavelet_coefficients(const VectorXd& mu) {
   return nu;
 }
 
-VectorXd column(Quantity quantity, const VectorXd& null_vector) {
+VectorXd column(const Quantity& quantity, const VectorXd& null_vector) {
   const VectorXd mu = scaled_by_moment(null_vector);
-  switch (quantity) {
-    case Quantity::mu:
-      return mu;
-    case Quantity::mu_normalized:
-      return mu / mu[0];
-    case Quantity::nu:
-      return wavelet_coefficients(mu);
-    case Quantity::nu_normalized: {
-      const VectorXd nu = wavelet_coefficients(mu);
-      return nu / nu[0];
-    }
-    default:
-      throw std::invalid_argument("not a connection coefficient");
-  }
+  if (quantity == Quantity::mu) return mu;
+  if (quantity == Quantity::mu_normalized) return mu / mu[0];
+  const VectorXd nu = wavelet_coefficients(mu);
+  if (quantity == Quantity::nu) return nu;
+  if (quantity == Quantity::nu_normalized) return nu / nu[0];
+  throw std::invalid_argument("not a connection coefficient");
 }
 
-std::vector<RouteValues> tap_routes(Quantity quantity, const RouteInput& input) {
+std::vector<RouteValues> tap_routes(const Quantity& quantity, const RouteInput& input) {
   std::vector<RouteValues> routes;
   for (const auto& [name, taps] : tap_sources(input)) {
     routes.push_back({name, taps * tap_factor(quantity)});
@@ -190,7 +182,7 @@ std::vector<RouteValues> tap_routes(Quantity quantity, const RouteInput& input) 
 }
 
 /// Empty where the solver finds no null vector, or infinities.
-std::optional<VectorXd> solved_column(Quantity quantity, const Solver& solve,
+std::optional<VectorXd> solved_column(const Quantity& quantity, const Solver& solve,
                                       const VectorXd& alpha) {
   try {
     const VectorXd values = column(quantity, solve(alpha));
@@ -200,7 +192,7 @@ std::optional<VectorXd> solved_column(Quantity quantity, const Solver& solve,
   return std::nullopt;
 }
 
-std::vector<RouteValues> coefficient_routes(Quantity quantity, const RouteInput& input) {
+std::vector<RouteValues> coefficient_routes(const Quantity& quantity, const RouteInput& input) {
   std::vector<RouteValues> routes;
   for (const auto& [alpha_name, alpha] : alpha_sources(input)) {
     for (const auto& [solver_name, solve] : null_vector_solvers(alpha.size() - 1)) {
@@ -221,15 +213,17 @@ double eigenvalue_nearest_zero(const Eigen::Ref<const MatrixXd>& a) {
   return is_real ? eigenvalues[nearest].real() : std::abs(eigenvalues[nearest]);
 }
 
-std::vector<RouteValues> run_routes(Quantity quantity, const RouteInput& input) {
+std::vector<RouteValues> run_routes(const Quantity& quantity, const RouteInput& input) {
   if (is_taps(quantity)) return tap_routes(quantity, input);
   if (quantity == Quantity::autocorrelation) {
     RouteInput without_print = input;
     without_print.printed_alpha.resize(0);  // a column does not explain itself
     return alpha_sources(without_print);
   }
+  const bool is_mu = quantity == Quantity::mu || quantity == Quantity::mu_normalized;
   const bool is_nu = quantity == Quantity::nu || quantity == Quantity::nu_normalized;
-  if ((is_nu && !input.orthonormal) || input.taps.size() < 3) return {};
+  if (!is_mu && !(is_nu && input.orthonormal)) return {};
+  if (input.taps.size() < 3) return {};
   return coefficient_routes(quantity, input);
 }
 

@@ -34,7 +34,7 @@ struct RouteValues {
 
 /// Every route to a column of this quantity, the simplest first. Routes that do not apply are left
 /// out: nu of a filter that is not orthonormal does not follow from alpha alone, (3.14).
-std::vector<RouteValues> run_routes(Quantity quantity, const RouteInput& input);
+std::vector<RouteValues> run_routes(const Quantity& quantity, const RouteInput& input);
 
 /// The eigenvalue of A that is nearest zero (its magnitude, should it be complex).
 double eigenvalue_nearest_zero(const Eigen::Ref<const Eigen::MatrixXd>& a);

@@ -9,12 +9,13 @@
 #include "wavecurve/operators/two_scale_system.hpp"
 
 #include "verification/tables/published_taps.hpp"
+#include "verification/tables/filter_values.hpp"
 #include "verification/tables/true_value.hpp"
 
 namespace wavecurve::verification {
 namespace {
 
-Eigen::VectorXd true_column(FilterValues& values, Quantity quantity, int first, int size) {
+Eigen::VectorXd true_column(FilterValues& values, const Quantity& quantity, int first, int size) {
   Eigen::VectorXd column(size);
   for (int i = 0; i < size; ++i) column[i] = values.value(quantity, first + i).to_double();
   return column;
@@ -48,7 +49,7 @@ TEST(Routes, TheSystemHasTheTrueCoefficientsAsNullVector) {
 
 TEST(Routes, EverySolverFindsTheTrueCoefficientsFromTheTrueTapsButOne) {
   FilterValues values(find_table_filter("K2"));
-  for (const Quantity quantity :
+  for (const Quantity& quantity :
        {Quantity::mu, Quantity::nu, Quantity::mu_normalized, Quantity::nu_normalized}) {
     const Eigen::VectorXd right = true_column(values, quantity, 0, 11);
     int from_true_taps = 0;

@@ -10,7 +10,7 @@ namespace wavecurve::verification {
 namespace {
 
 std::string name_of(const PublishedEntry& entry) {
-  return fmt::format("{}_{}", to_string(entry.quantity), entry.index);
+  return fmt::format("{}_{}", to_string(entry.quantity), entry.index.text());
 }
 
 }  // namespace

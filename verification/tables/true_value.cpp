@@ -1,14 +1,7 @@
 #include "verification/tables/true_value.hpp"
 
-#include <algorithm>
-#include <cstdlib>
-#include <stdexcept>
-
-#include "wavecurve/certified/autocorrelation.hpp"
-#include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
-#include "wavecurve/io/load_filter.hpp"
 
 namespace wavecurve::verification {
 
@@ -20,30 +13,8 @@ namespace {
 
 constexpr long first_bits = 128;
 static_assert(precision_limit_bits == first_bits << certified::precision_doublings);
-/// Sums of a filter's products lose a few bits; enclosures stay right whatever this is.
+/// Sums lose a few bits; enclosures stay right whatever this is.
 constexpr long guard_bits = 32;
-
-[[noreturn]] void refuse_index(Quantity quantity, int index, const std::string& filter, int first,
-                               int last) {
-  throw std::domain_error("the index " + std::to_string(index) + " of " +
-                          std::string(to_string(quantity)) + " is out of range: " + filter +
-                          " has " + std::to_string(first) + " to " + std::to_string(last));
-}
-
-bool is_mu(Quantity quantity) {
-  return quantity == Quantity::mu || quantity == Quantity::mu_normalized;
-}
-
-bool is_normalized(Quantity quantity) {
-  return quantity == Quantity::mu_normalized || quantity == Quantity::nu_normalized;
-}
-
-template <class Scalar>
-Scalar coefficient_of(const ConnectionCoefficients<Scalar>& coefficients, Quantity quantity,
-                      int index) {
-  const Filter<Scalar>& column = is_mu(quantity) ? coefficients.mu : coefficients.nu;
-  return is_normalized(quantity) ? column[index] / column[0] : column[index];
-}
 
 /// The rounding that `round` finds in a tight enough enclosure.
 template <class Round>
@@ -93,91 +64,6 @@ std::optional<PrintedNumber> round_to_decimals(const TrueValue& value, int decim
 
 std::optional<PrintedNumber> round_to_digits(const TrueValue& value, int digits) {
   return round_by(value, [&](const auto& x) { return certified::round_to_digits(x, digits); });
-}
-
-FilterValues::FilterValues(certified::FilterDefinition definition)
-    : definition_(std::move(definition)) {
-  const FilterBank<Ball>& known = bank(first_bits);
-  orthonormal_ = known.is_orthonormal();
-  first_tap_ = known.synthesis_low.first_index;
-  number_of_taps_ = known.synthesis_low.size();
-}
-
-const FilterBank<Ball>& FilterValues::bank(long bits) {
-  const auto known = banks_.find(bits);
-  if (known != banks_.end()) return known->second;
-  const WorkingPrecision precision(bits + guard_bits);
-  return banks_.emplace(bits, definition_.bank(bits)).first->second;
-}
-
-const ConnectionCoefficients<Ball>& FilterValues::coefficients(long bits) {
-  const auto known = coefficients_.find(bits);
-  if (known != coefficients_.end()) return known->second;
-  const WorkingPrecision precision(bits + guard_bits);
-  return coefficients_.emplace(bits, certified::connection_coefficients(definition_, 1, 1, bits))
-      .first->second;
-}
-
-TrueValue FilterValues::tap(Quantity quantity, int index) {
-  const int last = first_tap_ + number_of_taps_ - 1;
-  if (index < first_tap_ || index > last) {
-    refuse_index(quantity, index, definition_.name, first_tap_, last);
-  }
-  return {std::nullopt, [this, quantity, index](long bits) {
-            const Ball h = bank(bits).synthesis_low[index];
-            const WorkingPrecision precision(bits + guard_bits);
-            if (quantity == Quantity::taps_sum_2) return h * sqrt(Ball(2));
-            if (quantity == Quantity::taps_sum_1) return h / sqrt(Ball(2));
-            return h;
-          }};
-}
-
-TrueValue FilterValues::autocorrelation(int index) {
-  const int n = std::abs(index);
-  if (n >= number_of_taps_) {
-    refuse_index(Quantity::autocorrelation, index, definition_.name, 1 - number_of_taps_,
-                 number_of_taps_ - 1);
-  }
-  // Orthonormality makes the even ones exact, whatever the taps.
-  if (orthonormal_ && n % 2 == 0) return {Rational(n == 0 ? 2 : 0), {}};
-  if (definition_.exact) return {definition_.exact->synthesis[n], {}};
-  return {std::nullopt, [this, n](long bits) {
-            const WorkingPrecision precision(bits + guard_bits);
-            return certified::autocorrelation(definition_, bits)[n];
-          }};
-}
-
-TrueValue FilterValues::coefficient(Quantity quantity, int index) {
-  if (!asked_for_exact_) {
-    exact_coefficients_ = certified::exact_connection_coefficients(definition_, 1, 1);
-    asked_for_exact_ = true;
-  }
-  const auto last_index = [&](const auto& known) {
-    return is_mu(quantity) ? known.mu.last_index() : known.nu.last_index();
-  };
-  const int last =
-      std::max(number_of_taps_, 1 + (exact_coefficients_ ? last_index(*exact_coefficients_)
-                                                         : last_index(coefficients(first_bits))));
-  if (index < -last || index > last) refuse_index(quantity, index, definition_.name, -last, last);
-  if (exact_coefficients_) return {coefficient_of(*exact_coefficients_, quantity, index), {}};
-  const bool outside = std::abs(index) > last_index(coefficients(first_bits));
-  if (outside) return {Rational(0), {}};
-  if (index == 0 && is_normalized(quantity)) return {Rational(1), {}};
-  return {std::nullopt, [this, quantity, index](long bits) {
-            const ConnectionCoefficients<Ball>& known = coefficients(bits);
-            const WorkingPrecision precision(bits + guard_bits);
-            return coefficient_of(known, quantity, index);
-          }};
-}
-
-TrueValue FilterValues::value(Quantity quantity, int index) {
-  if (is_taps(quantity)) return tap(quantity, index);
-  if (quantity == Quantity::autocorrelation) return autocorrelation(index);
-  return coefficient(quantity, index);
-}
-
-certified::FilterDefinition find_table_filter(const std::string& name) {
-  return io::load_filter(name);
 }
 
 }  // namespace wavecurve::verification

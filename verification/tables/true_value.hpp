@@ -1,17 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include "wavecurve/certified/ball.hpp"
-#include "wavecurve/certified/filter_definition.hpp"
 #include "wavecurve/certified/rational.hpp"
-#include "wavecurve/operators/connection_coefficients.hpp"
 
-#include "verification/tables/published_table.hpp"
+#include "verification/tables/printed_number.hpp"
 
 namespace wavecurve::verification {
 
@@ -41,40 +36,5 @@ Decision is_within(const TrueValue& value, const certified::Rational& number,
 /// if undecided at the limit.
 std::optional<PrintedNumber> round_to_decimals(const TrueValue& value, int decimals);
 std::optional<PrintedNumber> round_to_digits(const TrueValue& value, int digits);
-
-/// Everything about one filter that a table can list, computed when asked for and then kept.
-class FilterValues {
- public:
-  explicit FilterValues(certified::FilterDefinition definition);
-
-  const std::string& name() const { return definition_.name; }
-  bool is_orthonormal() const { return orthonormal_; }
-  int first_tap() const { return first_tap_; }
-  int number_of_taps() const { return number_of_taps_; }
-
-  /// Throws std::domain_error if the index is beyond the filter or the integral does not exist.
-  /// Taps: the filter's support. alpha: |n| < number of taps. mu, nu: up to the number of taps, or
-  /// the first index beyond the support if that is larger (tables print the zero at the end).
-  TrueValue value(Quantity quantity, int index);
-
- private:
-  const FilterBank<certified::Ball>& bank(long bits);
-  const ConnectionCoefficients<certified::Ball>& coefficients(long bits);
-  TrueValue tap(Quantity quantity, int index);
-  TrueValue autocorrelation(int index);
-  TrueValue coefficient(Quantity quantity, int index);
-
-  certified::FilterDefinition definition_;
-  bool orthonormal_ = false;
-  int first_tap_ = 0, number_of_taps_ = 0;
-  std::map<long, FilterBank<certified::Ball>> banks_;
-  std::map<long, ConnectionCoefficients<certified::Ball>> coefficients_;
-  std::optional<ConnectionCoefficients<certified::Rational>> exact_coefficients_;
-  bool asked_for_exact_ = false;
-};
-
-/// The filter that a table's row names: a known name or the path of a user's ".json" file, from the
-/// working directory. Throws std::invalid_argument if there is none, or it is not what it claims.
-certified::FilterDefinition find_table_filter(const std::string& name);
 
 }  // namespace wavecurve::verification

@@ -75,6 +75,13 @@ Ball Ball::radius() const {
   return result;
 }
 
+std::optional<Rational> Ball::exact_value() const {
+  if (!is_exact() || !is_finite()) return std::nullopt;
+  Rational result;
+  arf_get_fmpq(result.get(), arb_midref(value_));
+  return result;
+}
+
 double Ball::to_double() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
 
 double Ball::radius_double() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "wavecurve/certified/flint.hpp"
 #include "wavecurve/certified/rational.hpp"
 
@@ -71,6 +73,8 @@ class Ball {
   Ball midpoint() const;
   /// The radius, as an exact ball.
   Ball radius() const;
+  /// The number, if the radius is zero.
+  std::optional<Rational> exact_value() const;
   /// The midpoint rounded to nearest; not certified, see nearest_double.
   double to_double() const;
   /// An upper bound of the radius.

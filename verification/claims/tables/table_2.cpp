@@ -34,13 +34,13 @@ Eigen::VectorXd printed_alpha(const CheckedTable& table) {
 certified::Rational sum_of_odd_alpha(const CheckedTable& table) {
   certified::Rational sum;
   for (const CheckedRow& row : table.rows) {
-    if (is_alpha(row) && row.entry.index % 2 != 0) sum += row.entry.number.value();
+    if (is_alpha(row) && row.entry.index.integer() % 2 != 0) sum += row.entry.number.value();
   }
   return sum;
 }
 
 /// The largest |print - true value| among the entries that came by a route.
-double largest_deviation(const CheckedTable& table, Quantity quantity) {
+double largest_deviation(const CheckedTable& table, const Quantity& quantity) {
   double largest = 0;
   for (const CheckedRow& row : table.rows) {
     if (row.entry.quantity != quantity || row.verdict != PrintVerdict::published_route) continue;
@@ -64,7 +64,7 @@ Table cause_table(const CheckedTable& table) {
   cause.rows.push_back({"eigenvalue of A nearest zero",
                         fmt::format("{:.3e}", eigenvalue_nearest_zero(two_scale_matrix(alpha))),
                         "0"});
-  for (const Quantity quantity :
+  for (const Quantity& quantity :
        {Quantity::autocorrelation, Quantity::mu_normalized, Quantity::nu_normalized}) {
     cause.rows.push_back({fmt::format("largest error of {} (misprints aside)", to_string(quantity)),
                           fmt::format("{:.1e}", largest_deviation(table, quantity)), "0"});

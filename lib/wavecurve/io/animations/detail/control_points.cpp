@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/fit_cubics.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
 
 namespace wavecurve::io {
