@@ -11,6 +11,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "verification/tables/check_table.hpp"
+#include "verification/tables/route_chance.hpp"
 
 namespace wavecurve::tools {
 
@@ -29,6 +30,19 @@ std::string form_text(const CheckedColumn& column) {
 nlohmann::ordered_json index_as_json(const EntryIndex& index) {
   if (index.is_integer()) return index.integer();
   return index.text();
+}
+
+nlohmann::ordered_json convention_as_json(const CheckedColumn& column) {
+  const Convention& convention = column.convention;
+  return {{"reversed", convention.reversed},
+          {"negated", convention.negated},
+          {"alternating", convention.alternating},
+          {"dual", convention.exchanged},
+          {"shift", convention.shift},
+          {"scale", factor_text(convention.half_powers)},
+          {"stated", convention.stated},
+          {"known_as", column.known_as},
+          {"words", column.convention_text}};
 }
 
 std::string table_as_json(const CheckedTable& table) {
@@ -52,11 +66,27 @@ std::string table_as_json(const CheckedTable& table) {
     result["columns"].push_back(
         {{"filter", column.filter},
          {"quantity", to_string(column.quantity)},
+         {"convention", convention_as_json(column)},
          {column.scientific ? "significant_digits" : "decimals", column.digits},
          {"route", column.route},
          {"matched", column.matched},
          {"after_edit", column.after_edit},
-         {"of", column.of}});
+         {"of", column.of},
+         {"tried", column.routes.size()},
+         {"chance", column.credited ? nlohmann::ordered_json(short_number(column.chance))
+                                    : nlohmann::ordered_json()},
+         {"allowance", short_number(column.allowance)},
+         {"pooled_with", column.other_columns}});
+  }
+  result["habits"] = nlohmann::ordered_json::array();
+  for (const CheckedHabit& habit : table.habits) {
+    result["habits"].push_back({{"route", habit.name},
+                                {"matched", habit.matched},
+                                {"of", habit.of},
+                                {"columns", habit.columns},
+                                {"of_columns", habit.of_columns},
+                                {"chance", short_number(habit.chance)},
+                                {"exceptions", habit.exceptions}});
   }
   result["counts"] = nlohmann::ordered_json::object();
   for (const auto& [verdict, count] : table.counts()) {
@@ -78,6 +108,65 @@ std::string table_as_csv(const CheckedTable& table) {
   return result;
 }
 
+std::string chance_text(double chance) {
+  return chance <= least_chance ? fmt::format("below {:g}", least_chance)
+                                : fmt::format("{:.1g}", chance);
+}
+
+std::string column_text(const CheckedColumn& column) {
+  std::string text =
+      fmt::format("{} {} ({}): {} of {} entries", column.filter, to_string(column.quantity),
+                  form_text(column), column.matched, column.of);
+  if (column.after_edit > 0) text += fmt::format(", {} after an edit", column.after_edit);
+  text += " from " + column.route;
+  if (!column.credited) {
+    if (column.matched == column.of) return text;
+    return text + fmt::format("; none of {} other computations explains the rest",
+                              column.routes.size() - 1);
+  }
+  text += fmt::format(" (chance {}", chance_text(column.chance));
+  if (column.other_columns > 0) {
+    text += fmt::format(" together with {} other column{}", column.other_columns,
+                        column.other_columns == 1 ? "" : "s");
+  }
+  if (column.allowance > 0) {
+    text += fmt::format("; rounding errors of up to {:.2g} units allowed for", column.allowance);
+  }
+  return text + ")";
+}
+
+std::string habit_text(const CheckedHabit& habit) {
+  std::string text =
+      fmt::format("{} of {} columns, {} of {} entries: {} (chance {})", habit.columns,
+                  habit.of_columns, habit.matched, habit.of, habit.name, chance_text(habit.chance));
+  constexpr std::size_t most_named = 8;
+  for (std::size_t i = 0; i < std::min(habit.exceptions.size(), most_named); ++i) {
+    text += (i == 0 ? "; not " : ", ") + habit.exceptions[i];
+  }
+  if (habit.exceptions.size() > most_named) {
+    text += fmt::format(" and {} more", habit.exceptions.size() - most_named);
+  }
+  return text;
+}
+
+/// One sentence for each column that does not follow the library's own convention.
+std::string conventions_text(const CheckedTable& table) {
+  std::string result;
+  for (const CheckedColumn& column : table.columns) {
+    if (column.convention_text.empty()) continue;
+    const std::string words =
+        column.known_as.empty() ? column.convention_text
+                                : fmt::format("{}, as {}", column.convention_text, column.known_as);
+    result +=
+        fmt::format("  {} {}: {}{}\n", column.filter, to_string(column.quantity), words,
+                    column.convention.stated
+                        ? ", as the table states"
+                        : fmt::format(" (the table does not say so; \"# convention: {}\" would)",
+                                      column.convention_text));
+  }
+  return result.empty() ? "" : "\nconventions\n" + result;
+}
+
 std::string table_as_text(const CheckedTable& table) {
   std::vector<std::vector<std::string>> cells{
       {"filter", "quantity", "index", "printed", "certified", "ulps", "verdict", "detail"}};
@@ -97,13 +186,10 @@ std::string table_as_text(const CheckedTable& table) {
     line.erase(line.find_last_not_of(' ') + 1);
     result += line + "\n";
   }
+  result += conventions_text(table);
   result += "\nroutes\n";
-  for (const CheckedColumn& column : table.columns) {
-    result += fmt::format("  {} {} ({}): {} of {} entries", column.filter,
-                          to_string(column.quantity), form_text(column), column.matched, column.of);
-    if (column.after_edit > 0) result += fmt::format(", {} after an edit", column.after_edit);
-    result += " from " + column.route + "\n";
-  }
+  for (const CheckedHabit& habit : table.habits) result += "  " + habit_text(habit) + "\n";
+  for (const CheckedColumn& column : table.columns) result += "  " + column_text(column) + "\n";
   result += "\n";
   for (const auto& [verdict, count] : table.counts()) {
     result += fmt::format("{:>6} {}\n", count, to_string(verdict));

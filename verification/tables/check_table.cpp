@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,33 +11,15 @@
 #include "wavecurve/certified/decimal_enclosure.hpp"
 #include "wavecurve/certified/rounding.hpp"
 
-#include "verification/tables/filter_values.hpp"
-#include "verification/tables/misprint.hpp"
-#include "verification/tables/print_form.hpp"
-#include "verification/tables/published_taps.hpp"
-#include "verification/tables/routes.hpp"
-#include "verification/tables/true_value.hpp"
+#include "verification/tables/find_routes.hpp"
+#include "verification/tables/judged_column.hpp"
+#include "verification/tables/table_columns.hpp"
 
 namespace wavecurve::verification {
 
 namespace {
 
 constexpr int least_correct_digits = 3;
-
-/// A row while it is worked on.
-struct Row {
-  CheckedRow& result;
-  TrueValue value;
-  bool wrong = false;  ///< proved not to be the rounded value, in whatever form
-  std::optional<Repair> repair;
-};
-
-struct Column {
-  CheckedColumn result;
-  FilterValues& filter;
-  ColumnForm form;
-  std::vector<Row> rows;
-};
 
 std::string digits_text(const PrintForm& form) {
   const std::string noun = form.scientific ? "significant digit" : "decimal";
@@ -70,7 +51,7 @@ std::string other_form_text(const PrintedNumber& print, const ColumnForm& column
                      digits_text(column.form));
 }
 
-void judge_right(Row& row, const ColumnForm& column) {
+void judge_right(JudgedRow& row, const ColumnForm& column) {
   const PrintedNumber& print = row.result.entry.number;
   if (print.is_bare_zero() && row.value.is_exactly_zero()) {
     set(row.result, PrintVerdict::certified, "exactly zero");
@@ -88,14 +69,16 @@ void judge_right(Row& row, const ColumnForm& column) {
 
 /// The print is no correct rounding at its own last digit; it may still be the number that the
 /// column's form asks for, with zeros behind it.
-bool is_right_number(const Row& row, const ColumnForm& column) {
-  if (!column.established) return false;
-  const auto rounded = round_to_form(row.value, column.form);
-  return rounded && rounded->value() == row.result.entry.number.value();
+std::optional<PrintedNumber> right_number(const JudgedRow& row, const ColumnForm& column) {
+  if (!column.established) return std::nullopt;
+  auto rounded = round_to_form(row.value, column.form);
+  const bool is_equal = rounded && rounded->value() == row.result.entry.number.value();
+  return is_equal ? rounded : std::nullopt;
 }
 
-void judge_alone(Row& row, const ColumnForm& column) {
+void judge_alone(JudgedRow& row, const ColumnForm& column) {
   const PrintedNumber& print = row.result.entry.number;
+  row.result.ulps = distance_in_units(row.value, print);
   switch (is_within(row.value, print.value(), print.unit() / certified::Rational(2))) {
     case Decision::yes:
       judge_right(row, column);
@@ -107,7 +90,8 @@ void judge_alone(Row& row, const ColumnForm& column) {
     case Decision::no:
       break;
   }
-  if (is_right_number(row, column)) {
+  row.in_column_form = right_number(row, column);
+  if (row.in_column_form) {
     set(row.result, PrintVerdict::form, other_form_text(print, column));
     return;
   }
@@ -115,66 +99,9 @@ void judge_alone(Row& row, const ColumnForm& column) {
   row.repair = likeliest_repair(print, intended_prints(row.value, print, column));
 }
 
-// --- the route of a column ---
-
-/// alpha as the table itself prints it, if it prints all that do not vanish by structure.
-Eigen::VectorXd printed_alpha(const std::vector<Column>& columns, const FilterValues& filter) {
-  Eigen::VectorXd alpha = Eigen::VectorXd::Zero(filter.number_of_taps());
-  std::vector<bool> known(static_cast<std::size_t>(alpha.size()), false);
-  for (const Column& column : columns) {
-    if (&column.filter != &filter) continue;
-    if (column.result.quantity != Quantity::autocorrelation) continue;
-    for (const Row& row : column.rows) {
-      const int n = std::abs(row.result.entry.index.integer());
-      alpha[n] = row.result.entry.number.to_double();
-      known[static_cast<std::size_t>(n)] = true;
-    }
-  }
-  for (std::size_t n = 0; n < known.size(); ++n) {
-    const bool vanishes = filter.is_orthonormal() && n > 0 && n % 2 == 0;
-    if (!known[n] && !vanishes) return {};
-  }
-  return alpha;
-}
-
-Eigen::VectorXd true_taps(FilterValues& filter) {
-  Eigen::VectorXd taps(filter.number_of_taps());
-  for (int i = 0; i < filter.number_of_taps(); ++i) {
-    taps[i] = filter.value(Quantity::taps, filter.first_tap() + i).to_double();
-  }
-  return taps;
-}
-
-RouteInput route_input(const Column& column, const std::vector<Column>& columns) {
-  RouteInput input;
-  input.taps = true_taps(column.filter);
-  if (const auto published = find_published_taps(column.filter.name())) {
-    input.published_taps = published->taps;
-    input.published_taps_name = published->name;
-  }
-  input.printed_alpha = printed_alpha(columns, column.filter);
-  input.orthonormal = column.filter.is_orthonormal();
-  input.decimals = column.form.form.digits;
-  return input;
-}
-
-ColumnToExplain column_to_explain(const Column& column) {
-  ColumnToExplain result{column.result.quantity, column.form.form, {}};
-  for (const Row& row : column.rows) {
-    const PublishedEntry& entry = row.result.entry;
-    const int place = is_taps(entry.quantity) ? entry.index.integer() - column.filter.first_tap()
-                                              : std::abs(entry.index.integer());
-    EntryToExplain explained{static_cast<std::size_t>(place), entry.number, std::nullopt, row.wrong,
-                             row.value.to_double()};
-    if (row.repair) explained.repaired = row.repair->repaired;
-    result.entries.push_back(std::move(explained));
-  }
-  return result;
-}
-
 // --- the verdicts of what is wrong ---
 
-std::string describe_difference(const Row& row) {
+std::string describe_difference(const JudgedRow& row) {
   const PrintedNumber& print = row.result.entry.number;
   const auto right = round_to_form(row.value, form_of(print));
   const int digit = right ? first_wrong_digit(print, *right) : 0;
@@ -182,7 +109,7 @@ std::string describe_difference(const Row& row) {
                    : "the true value differs";
 }
 
-void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
+void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
   if (yielded_by_route) {
     result.verdict = PrintVerdict::published_route;
@@ -202,11 +129,16 @@ void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
   result.verdict =
       correct >= least_correct_digits ? PrintVerdict::agrees_to_digits : PrintVerdict::discrepant;
   result.detail = fmt::format("{} significant digit{} right", correct, correct == 1 ? "" : "s");
-  if (result.ulps <= 1.5) result.detail += "; one unit in the last digit is a rounding difference";
+  if (is_cut_off(row.value, result.entry.number.value(), result.entry.number.decimals()) ==
+      Decision::yes) {
+    result.detail += "; the true value cut off instead of rounded";
+  } else if (result.ulps <= 1.5) {
+    result.detail += "; one unit in the last digit is a rounding difference";
+  }
 }
 
 /// The digits that the report shows: the column's, or the print's where it has more and is wrong.
-std::string certified_text(const Row& row, const ColumnForm& column) {
+std::string certified_text(const JudgedRow& row, const ColumnForm& column) {
   const PrintForm own = form_of(row.result.entry.number);
   PrintForm shown = column.established ? column.form : own;
   if (row.wrong && own.scientific == shown.scientific) {
@@ -221,70 +153,34 @@ std::string certified_text(const Row& row, const ColumnForm& column) {
                    .value;
 }
 
-void finish(Column& column, const RouteScore& route) {
-  column.result.route = route.name;
-  column.result.matched = route.matched;
-  column.result.after_edit = route.after_edit;
-  column.result.of = static_cast<int>(column.rows.size());
+void finish(JudgedColumn& column, const std::optional<CreditedRoute>& credit,
+            std::vector<RouteScore> scores) {
+  const RouteScore& route = scores[credit ? credit->route : 0];
+  CheckedColumn& result = column.result;
+  result.route = route.name;
+  result.matched = route.matched;
+  result.after_edit = route.after_edit;
+  result.of = static_cast<int>(column.rows.size());
+  result.allowance = route.allowance;
+  result.credited = credit.has_value();
+  if (credit) {
+    result.chance = credit->chance;
+    result.other_columns = static_cast<int>(credit->columns) - 1;
+  }
   for (std::size_t i = 0; i < column.rows.size(); ++i) {
-    Row& row = column.rows[i];
-    row.result.ulps = distance_in_units(row.value, row.result.entry.number);
+    JudgedRow& row = column.rows[i];
     row.result.certified = certified_text(row, column.form);
-    if (row.wrong) judge_wrong(row, route.yields_print[i], route.name);
+    if (row.wrong) judge_wrong(row, result.credited && route.yields_print[i], route.name);
   }
+  if (column.is_right()) scores.resize(1);
+  result.routes = std::move(scores);
 }
 
-// --- the columns of a table ---
+// --- a column as a whole ---
 
-/// Filters of a table under their canonical names; a filter's values stay where they are.
-class Filters {
- public:
-  FilterValues& find(const std::string& name) {
-    const auto known = by_table_name_.find(name);
-    if (known != by_table_name_.end()) return *known->second;
-    certified::FilterDefinition definition = find_table_filter(name);
-    // A user's file may call itself what it likes.
-    const std::string canonical = name.ends_with(".json") ? name : definition.name;
-    auto& values = by_canonical_name_[canonical];
-    if (!values) values = std::make_unique<FilterValues>(std::move(definition));
-    by_table_name_[name] = values.get();
-    return *values;
-  }
-
- private:
-  std::map<std::string, FilterValues*> by_table_name_;
-  std::map<std::string, std::unique_ptr<FilterValues>> by_canonical_name_;
-};
-
-Column& column_of(std::vector<Column>& columns, FilterValues& filter, const PublishedEntry& entry) {
-  const auto known = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
-    return &column.filter == &filter && column.result.quantity == entry.quantity;
-  });
-  if (known != columns.end()) return *known;
-  columns.push_back({{entry.filter, entry.quantity, 0, false, "", 0, 0, 0, {}}, filter, {}, {}});
-  return columns.back();
-}
-
-void refuse_repetition(const Column& column, const PublishedEntry& entry) {
-  for (const Row& row : column.rows) {
-    if (row.result.entry.index != entry.index) continue;
-    throw std::invalid_argument(fmt::format("the row repeats line {} ({} and {} are one filter)",
-                                            row.result.entry.line, row.result.entry.filter,
-                                            entry.filter));
-  }
-}
-
-void add_row(std::vector<Column>& columns, Filters& filters, CheckedRow& result) {
-  FilterValues& filter = filters.find(result.entry.filter);
-  Column& column = column_of(columns, filter, result.entry);
-  refuse_repetition(column, result.entry);
-  column.rows.push_back(
-      {result, filter.value(result.entry.quantity, result.entry.index), false, std::nullopt});
-}
-
-void find_form(Column& column) {
+void find_form(JudgedColumn& column) {
   std::vector<PrintedNumber> prints;
-  for (const Row& row : column.rows) prints.push_back(row.result.entry.number);
+  for (const JudgedRow& row : column.rows) prints.push_back(row.result.entry.number);
   column.form = column_form(prints);
   column.result.digits = column.form.form.digits;
   column.result.scientific = column.form.form.scientific;
@@ -299,33 +195,31 @@ std::map<PrintVerdict, int> CheckedTable::counts() const {
 }
 
 bool CheckedTable::is_right() const {
-  return std::all_of(rows.begin(), rows.end(), [](const CheckedRow& row) {
-    return row.verdict == PrintVerdict::certified || row.verdict == PrintVerdict::form;
-  });
+  const auto is_understood = [](const CheckedColumn& column) {
+    return column.convention.is_the_librarys() || column.convention.stated;
+  };
+  return std::all_of(columns.begin(), columns.end(), is_understood) &&
+         std::all_of(rows.begin(), rows.end(), [](const CheckedRow& row) {
+           return row.verdict == PrintVerdict::certified || row.verdict == PrintVerdict::form;
+         });
 }
 
 CheckedTable check_table(const PublishedTable& table) {
-  CheckedTable result{table.file, table.title, {}, {}};
+  CheckedTable result{table.file, table.title, {}, {}, {}};
   for (const PublishedEntry& entry : table.entries) {
     result.rows.push_back({entry, PrintVerdict::undecided, "", 0, "", ""});
   }
-  Filters filters;
-  std::vector<Column> columns;
-  for (CheckedRow& row : result.rows) {
-    try {
-      add_row(columns, filters, row);
-    } catch (const std::logic_error& error) {  // invalid_argument and domain_error
-      throw std::invalid_argument(table.location(row.entry) + error.what());
-    }
-  }
-  for (Column& column : columns) {
+  TableFilters filters;
+  std::vector<JudgedColumn> columns = table_columns(table, result.rows, filters);
+  for (JudgedColumn& column : columns) {
     find_form(column);
-    for (Row& row : column.rows) judge_alone(row, column.form);
+    for (JudgedRow& row : column.rows) judge_alone(row, column.form);
   }
-  for (Column& column : columns) {
-    column.result.routes = score_routes(column_to_explain(column), route_input(column, columns));
-    finish(column, best_route(column.result.routes));
-    result.columns.push_back(std::move(column.result));
+  FoundRoutes found = find_routes(columns);
+  result.habits = std::move(found.habits);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    finish(columns[c], found.credits[c], std::move(found.scores[c]));
+    result.columns.push_back(std::move(columns[c].result));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "verification/tables/column_routes.hpp"
+#include "verification/tables/convention.hpp"
 #include "verification/tables/print_verdict.hpp"
 #include "verification/tables/published_table.hpp"
 
@@ -26,25 +27,45 @@ struct CheckedRow {
 struct CheckedColumn {
   std::string filter;
   Quantity quantity;
+  /// How it departs from the library's own order, sign and factor, stated by the table or
+  /// recognised; in words, empty if it does not; and the package that prints so, if one is known.
+  Convention convention;
+  std::string convention_text, known_as;
   /// Decimals (in scientific notation: significant digits) of most of its prints; if several are as
   /// common, the largest. A bare 0 has no say.
   int digits = 0;
   bool scientific = false;
-  /// The computation that yields most of its entries.
+  /// The computation that explains it, beyond chance; if there is none, the true values.
   std::string route;
   int matched = 0;     ///< entries that it yields, those in need of an edit included
   int after_edit = 0;  ///< of these, the misprints: yielded but for the edit
   int of = 0;
+  bool credited = false;  ///< to a computation
+  double chance = 1;      ///< of that, as CreditedRoute has it
+  double allowance = 0;   ///< for the computation's rounding errors, in last units, the largest
+  int other_columns = 0;  ///< that the chance is pooled over
   std::vector<RouteScore> routes;  ///< all that were tried; one, if nothing is wrong
+};
+
+/// What columns of the table have in common, beyond chance.
+struct CheckedHabit {
+  std::string name;
+  int matched = 0, of = 0;          ///< entries of the columns that it explains
+  int columns = 0, of_columns = 0;  ///< those, and all in which it was tried
+  double chance = 1;
+  /// Entries of the columns that it explains, and other columns: "db4 h_3", "db5 h".
+  std::vector<std::string> exceptions;
 };
 
 struct CheckedTable {
   std::string file, title;
   std::vector<CheckedRow> rows;  ///< in the order of the table
   std::vector<CheckedColumn> columns;
+  std::vector<CheckedHabit> habits;  ///< of several columns
 
   std::map<PrintVerdict, int> counts() const;
-  /// True if every value is right: certified, or right but for its form.
+  /// True if every value is right, certified or right but for its form, under the library's own
+  /// convention or one that the table states.
   bool is_right() const;
 };
 
@@ -58,13 +79,17 @@ struct CheckedTable {
 /// form              correctly rounded as well, but printed with other decimals than its column; or
 ///                   equal as a number to the rounding at the column's decimals
 ///                   ("0.0000000000000").
-/// published-route   the column's best route (routes.hpp) yields the printed digits. A route is
-///                   credited only if it yields at least two entries that the true values do not,
-///                   and more entries in all than they do.
+/// published-route   the column's credited route yields the printed digits, and the true value does
+///                   not. A route (routes.hpp) is credited only if it yields nearly all entries,
+///                   and an unrelated computation as accurate would do as well with a probability
+///                   below 1e-6 (table_routes.hpp).
 /// misprint          one edit turns the print into the certified rounding (misprint.hpp).
 /// agrees-to-digits  at least three significant digits are right: |print - value| is less than one
 ///                   unit of the third.
 /// discrepant        fewer.
+///
+/// A column that is reversed, negated, shifted or scaled as a whole is recognised and judged as what
+/// it is (convention.hpp).
 ///
 /// Throws std::invalid_argument "FILE:LINE: ..." for an unknown filter, an index that is out of
 /// range, an integral that does not exist, or a row that repeats another under a second name.

@@ -255,11 +255,7 @@ std::string describe(FilterValues& filter, const Quantity& quantity, const Conve
   if (convention.negated) words.push_back("negated");
   if (convention.alternating) words.push_back("alternating");
   if (convention.exchanged) words.push_back("dual");
-  if (convention.half_powers != 0) {
-    const std::string text =
-        to_string(listed_quantity(Quantity::taps, {.half_powers = convention.half_powers}));
-    words.push_back(text.substr(1));
-  }
+  if (convention.half_powers != 0) words.push_back(factor_text(convention.half_powers));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

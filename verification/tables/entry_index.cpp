@@ -107,10 +107,11 @@ EntryIndex parse_entry_index(std::string_view text) {
     const auto value = parts.size() == 2 ? parse_integer(part) : parse_point(part);
     if (!value) {
       refuse_index(text, parts.size() == 2 ? "is not a pair of integers"
-                                     : "is not an integer nor a dyadic point such as 1/2");
+                                           : "is not an integer nor a dyadic point such as 1/2");
     }
     if (std::abs(*value) > largest_index) {
-      refuse_index(text, "is out of range: at most " + std::to_string(largest_index) + " in magnitude");
+      refuse_index(text,
+                   "is out of range: at most " + std::to_string(largest_index) + " in magnitude");
     }
     values.push_back(*value);
   }

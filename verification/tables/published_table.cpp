@@ -118,6 +118,9 @@ class Reader {
     if (io::trimmed(line).empty()) return;
     if (line.starts_with('#')) {
       if (const auto title = comment_value(line, "title")) table_.title = *title;
+      if (const auto words = comment_value(line, "convention")) {
+        table_.convention = parse_convention(*words);
+      }
       if (const auto source = comment_value(line, "source")) table_.source = *source;
     } else if (!header_) {
       header_ = parse_header(line);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "verification/tables/convention.hpp"
 #include "verification/tables/entry_index.hpp"
 #include "verification/tables/printed_number.hpp"
 #include "verification/tables/quantity.hpp"
@@ -26,6 +28,7 @@ struct PublishedEntry {
 /// and blanks around a field are accepted.
 struct PublishedTable {
   std::string file, title, source;
+  std::optional<StatedConvention> convention;  ///< of every column
   std::vector<PublishedEntry> entries;
 
   /// "FILE:LINE: "

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "wavecurve/certified/ball.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 
 #include "verification/suite/data_folder.hpp"
@@ -34,18 +35,24 @@ double factor_to_sum_sqrt2(const Quantity& quantity) {
 
 }  // namespace
 
+Eigen::VectorXd PublishedTaps::taps() const {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(numbers.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result[i] = certified::Ball(numbers[static_cast<std::size_t>(i)]).to_double();
+  }
+  return result * factor_to_sum_sqrt2(normalization);
+}
+
 std::optional<PublishedTaps> find_published_taps(std::string_view filter) {
   for (const fs::path& path : tap_tables()) {
     const PublishedTable table = read_published_table(path);
-    std::vector<double> taps;
+    PublishedTaps taps{table.title, {}, Quantity::taps};
     for (const PublishedEntry& entry : table.entries) {
-      if (!is_taps(entry.quantity)) continue;
       if (certified::canonical_filter_name(entry.filter) != filter) continue;
-      taps.push_back(entry.number.to_double() * factor_to_sum_sqrt2(entry.quantity));
+      taps.numbers.push_back(entry.number.value());
+      taps.normalization = entry.quantity;
     }
-    if (taps.empty()) continue;
-    const auto size = static_cast<Eigen::Index>(taps.size());
-    return PublishedTaps{table.title, Eigen::Map<const Eigen::VectorXd>(taps.data(), size)};
+    if (!taps.numbers.empty()) return taps;
   }
   return std::nullopt;
 }

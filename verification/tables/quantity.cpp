@@ -286,14 +286,6 @@ std::string bare_text(const Quantity& quantity) {
   return family == "value" ? function : fmt::format("{}({})", family, function);
 }
 
-std::string factor_text(int half_powers) {
-  std::string text;
-  for (; half_powers >= 2; half_powers -= 2) text += "*2";
-  for (; half_powers <= -2; half_powers += 2) text += "/2";
-  if (half_powers != 0) text += half_powers > 0 ? "*sqrt2" : "/sqrt2";
-  return text;
-}
-
 }  // namespace
 
 const Quantity Quantity::taps = filter_taps(false, false);
@@ -308,6 +300,14 @@ const Quantity Quantity::nu_normalized = by_first(product_of_slopes(true));
 Quantity Quantity::bare() const { return {family, factors, 0, false, false}; }
 
 Quantity parse_quantity(std::string_view text) { return Parser(text).parse(); }
+
+std::string factor_text(int half_powers) {
+  std::string text;
+  for (; half_powers >= 2; half_powers -= 2) text += "*2";
+  for (; half_powers <= -2; half_powers += 2) text += "/2";
+  if (half_powers != 0) text += half_powers > 0 ? "*sqrt2" : "/sqrt2";
+  return text;
+}
 
 std::string to_string(const Quantity& quantity) {
   std::string text = quantity.negated ? "-" : "";

@@ -60,6 +60,9 @@ Quantity parse_quantity(std::string_view text);
 /// The shortest name in the grammar, such as "h*sqrt2".
 std::string to_string(const Quantity& quantity);
 
+/// sqrt(2)^half_powers as a suffix: "*sqrt2", "/2", or nothing.
+std::string factor_text(int half_powers);
+
 /// Taps of phi's filter, with any sum.
 bool is_taps(const Quantity& quantity);
 

@@ -22,6 +22,22 @@ struct TrueValue {
   double to_double() const;
 };
 
+/// A number as the sum of two doubles and what that may be off: enough to see that two numbers are
+/// apart without asking for enclosures.
+struct Approximation {
+  double head = 0, tail = 0, error = 0;
+};
+Approximation approximate(const TrueValue& value);
+
+/// |a - b|, up to the sum of their errors.
+double apart(const Approximation& a, const Approximation& b);
+
+/// The number that a double is.
+TrueValue exactly(double number);
+
+/// The value times the square root of a number >= 0; exact if both are.
+TrueValue times_root(const TrueValue& value, const certified::Rational& square);
+
 enum class Decision { no, yes, undecided };
 
 /// Asks with ever tighter enclosures, from 128 bits to precision_limit_bits, until the answer is
@@ -31,6 +47,10 @@ Decision decide(const TrueValue& value, const std::function<Decision(const certi
 /// Is |value - number| <= radius? Proved.
 Decision is_within(const TrueValue& value, const certified::Rational& number,
                    const certified::Rational& radius);
+
+/// Is the number what is left of the value if the digits after 10^-decimals are left away? Then it
+/// lies between zero and the value, and less than one unit from it. Proved.
+Decision is_cut_off(const TrueValue& value, const certified::Rational& number, int decimals);
 
 /// The value correctly rounded to this many decimals, or to this many significant digits; nothing
 /// if undecided at the limit.

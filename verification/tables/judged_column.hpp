@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "verification/tables/check_table.hpp"
+#include "verification/tables/convention.hpp"
+#include "verification/tables/filter_values.hpp"
+#include "verification/tables/misprint.hpp"
+#include "verification/tables/print_form.hpp"
+#include "verification/tables/true_value.hpp"
+
+namespace wavecurve::verification {
+
+// What check_table.cpp and find_routes.cpp know about a column while they work on it.
+
+/// A row while it is worked on.
+struct JudgedRow {
+  CheckedRow& result;
+  TrueValue value;
+  bool wrong = false;  ///< proved not to be the rounded value, in whatever form
+  std::optional<Repair> repair;
+  /// The right number in its column's form, where only this equals the print.
+  std::optional<PrintedNumber> in_column_form;
+};
+
+struct JudgedColumn {
+  CheckedColumn result;
+  FilterValues& filter;
+  Convention convention;
+  ColumnForm form;
+  std::vector<JudgedRow> rows;
+
+  /// Nothing in it is wrong.
+  bool is_right() const {
+    return std::none_of(rows.begin(), rows.end(), [](const JudgedRow& row) { return row.wrong; });
+  }
+};
+
+}  // namespace wavecurve::verification
