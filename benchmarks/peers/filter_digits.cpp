@@ -106,17 +106,11 @@ void print_versions() {
 #endif
 }
 
-/// biorD.E is a spline pair for D <= 3 only; bior4.4 is the 9/7 pair.
-std::string own_name(const std::string& name) {
-  if (name == "bior4.4") return "cdf9.7";
-  return name.starts_with("bior") ? "bspline" + name.substr(4) : name;
-}
-
 void add_pywavelets(Json& json, const Json& tables) {
   for (const auto& [name, filter] : tables["filters"].items()) {
     Taps analysis = filter["dec_lo"].get<Taps>();
     std::ranges::reverse(analysis);
-    const std::string own = own_name(name);
+    const std::string own = certified::canonical_filter_name(name);
     add(json, "PyWavelets", own, worst_of_bank(analysis, filter["rec_lo"].get<Taps>(), own));
   }
 }

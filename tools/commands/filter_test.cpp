@@ -35,8 +35,8 @@ TEST_F(FilterCommand, ListsEveryFilterAndAlias) {
   const auto has_line = [&](const std::string& line) {
     return ("\n" + list.out).find("\n" + line + "\n") != std::string::npos;
   };
-  EXPECT_TRUE(has_line("  db4         D8")) << list.out;
-  EXPECT_TRUE(has_line("  coif2       K2")) << list.out;
+  EXPECT_TRUE(has_line("  db4         D8, d8")) << list.out;
+  EXPECT_TRUE(has_line("  coif2       K2, c12")) << list.out;
   for (const certified::Family& family : certified::families()) {
     EXPECT_TRUE(has_line(family.names)) << family.names;
     for (const auto& [alias, name] : family.aliases) {
@@ -97,6 +97,7 @@ TEST_F(FilterCommand, TextNamesTheDiagnostics) {
 
 TEST_F(FilterCommand, RefusesBadInput) {
   expect_refusal("filter nope", "unknown filter 'nope'");
+  expect_refusal("filter fk8", "filter 'fk8' is a Fejer-Korovkin filter, whose taps");
   expect_refusal("filter db39", "the order of filter db39 is 39, but must be from 1 to 38");
   expect_refusal("filter bspline3.4", "must be even");
   expect_refusal("filter db4 --digits 0", "--digits");

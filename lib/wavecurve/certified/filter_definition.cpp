@@ -5,9 +5,13 @@
 namespace wavecurve::certified {
 
 FilterDefinition dual(const FilterDefinition& definition) {
+  return dual(definition, "dual of " + definition.name);
+}
+
+FilterDefinition dual(const FilterDefinition& definition, const std::string& name) {
   FilterDefinition exchanged;
-  exchanged.name = "dual of " + definition.name;
-  exchanged.bank = [name = exchanged.name, bank = definition.bank](long bits) {
+  exchanged.name = name;
+  exchanged.bank = [name, bank = definition.bank](long bits) {
     FilterBank<Ball> b = bank(bits);
     b.name = name;
     std::swap(b.analysis_low, b.synthesis_low);

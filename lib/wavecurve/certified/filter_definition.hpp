@@ -31,4 +31,7 @@ struct FilterDefinition {
 /// phi can be asked about the dual scaling function.
 FilterDefinition dual(const FilterDefinition& definition);
 
+/// The same under a name of its own; without one it is called "dual of " and the name.
+FilterDefinition dual(const FilterDefinition& definition, const std::string& name);
+
 }  // namespace wavecurve::certified

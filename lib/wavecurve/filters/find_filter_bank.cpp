@@ -1,8 +1,6 @@
 #include "wavecurve/filters/find_filter_bank.hpp"
 
-#include <stdexcept>
-
-#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/filter_name.hpp"
 #include "wavecurve/filters/detail/spline_filter.hpp"
 #include "wavecurve/filters/filter_tables.hpp"
 
@@ -57,7 +55,7 @@ FilterBank<Scalar> find_filter_bank(std::string_view name) {
     if (row.name == canonical) return bank_of<Scalar>(row);
   }
   if (auto bank = spline_filter_bank<Scalar>(canonical)) return *bank;
-  throw std::invalid_argument(unknown_name("filter", name, known_names()));
+  refuse_filter_name(name, known_names());
 }
 
 template FilterBank<double> find_filter_bank(std::string_view);

@@ -53,7 +53,8 @@ TEST(FilterTables, AreWhatTheGeneratorWrites) {
 }
 
 TEST(FilterTables, AreReadBackWithTheirAliases) {
-  for (const char* name : {"db4", "D8", "coif2", "K2", "haar", "sym8", "bior4.4"}) {
+  for (const char* name : {"db4", "D8", "coif2", "K2", "haar", "sym8", "bior4.4", "bior5.5",
+                           "bior6.8", "rbio3.1", "rbio6.8", "legall", "la16", "c12"}) {
     EXPECT_TRUE(is_correctly_rounded<double>(name)) << name;
     EXPECT_TRUE(is_correctly_rounded<float>(name)) << name;
   }
@@ -68,7 +69,8 @@ RC_GTEST_PROP(SplineFilter, EveryTapIsCorrectlyRounded, ()) {
 }
 
 TEST(FindFilterBank, RefusesWhatItDoesNotKnow) {
-  for (const char* bad : {"", "db39", "bspline2.3", "bspline101.101", "bspline0.2", "nope"}) {
+  for (const char* bad :
+       {"", "db39", "bspline2.3", "bspline101.101", "bspline0.2", "rbio2.3", "fk8", "nope"}) {
     EXPECT_THROW(find_filter_bank(bad), std::invalid_argument) << bad;
   }
 }

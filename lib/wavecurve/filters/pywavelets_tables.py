@@ -16,7 +16,7 @@ LEVELS = 3
 names = [f"db{n}" for n in range(1, 39)]
 names += [f"sym{n}" for n in range(2, 21)]
 names += [name for name in pywt.wavelist("coif")]
-names += [name for name in pywt.wavelist("bior") if name[4] in "123"] + ["bior4.4"]
+names += pywt.wavelist("bior") + pywt.wavelist("rbio")
 
 generator = random.Random(1996)
 signal = [generator.uniform(-1.0, 1.0) for _ in range(SAMPLES)]

@@ -8,6 +8,50 @@
 
 namespace wavecurve {
 
+namespace {
+
+constexpr const char* is_only_printed =
+    "whose taps have no closed definition here; give them as a JSON file";
+constexpr const char* is_continuous = "which has no filter of finitely many taps";
+
+/// Filters of other packages that are not among ours, by the letters with which the names begin.
+struct ForeignFilter {
+  std::string_view letters, kind;
+  const char* reason;
+};
+
+constexpr ForeignFilter foreign_filters[] = {
+    {"batt", "a Battle-Lemarie filter", is_only_printed},
+    {"beyl", "Beylkin's filter", is_only_printed},
+    {"bl", "a best localized Daubechies filter", is_only_printed},
+    {"dmey", "the discrete Meyer filter", is_only_printed},
+    {"fk", "a Fejer-Korovkin filter", is_only_printed},
+    {"han", "a filter of Han's", is_only_printed},
+    {"mb", "a minimum-bandwidth filter", is_only_printed},
+    {"qshift", "a q-shift filter of the dual-tree transform", is_only_printed},
+    {"vaid", "Vaidyanathan's filter", is_only_printed},
+    {"cgau", "a continuous wavelet", is_continuous},
+    {"cmor", "a continuous wavelet", is_continuous},
+    {"fbsp", "a continuous wavelet", is_continuous},
+    {"gaus", "a continuous wavelet", is_continuous},
+    {"mexh", "a continuous wavelet", is_continuous},
+    {"meyr", "Meyer's wavelet", is_continuous},
+    {"morl", "a continuous wavelet", is_continuous},
+    {"shan", "a continuous wavelet", is_continuous},
+};
+
+}  // namespace
+
+void refuse_filter_name(std::string_view name, const std::vector<std::string>& known) {
+  const std::string_view letters = name.substr(0, name.find_first_of("0123456789._-"));
+  for (const ForeignFilter& foreign : foreign_filters) {
+    if (foreign.letters != letters) continue;
+    throw std::invalid_argument("filter " + value_text(name) + " is " + std::string(foreign.kind) +
+                                ", " + foreign.reason);
+  }
+  throw std::invalid_argument(unknown_name("filter", name, known));
+}
+
 std::optional<int> number_after(std::string_view prefix, std::string_view name) {
   if (!name.starts_with(prefix)) return std::nullopt;
   name.remove_prefix(prefix.size());

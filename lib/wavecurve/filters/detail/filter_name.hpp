@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace wavecurve {
 
@@ -23,5 +25,9 @@ inline constexpr int highest_spline_order = 100;
 /// "bsplineD.E" -> {D, E}; empty for a name of another form. Throws std::invalid_argument for
 /// orders out of 1 .. highest_spline_order or with an odd sum.
 std::optional<SplineOrders> spline_orders(std::string_view name);
+
+/// Throws std::invalid_argument for a name that stands for none of the known filters: of one that
+/// other packages have, such as "fk8", with what it is and why it is not among them.
+[[noreturn]] void refuse_filter_name(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace wavecurve

@@ -28,6 +28,25 @@ TEST(FilterName, OrderBeyondItsBoundsIsRefusedByName) {
   }
 }
 
+TEST(FilterName, AForeignFilterIsRefusedWithAReason) {
+  const auto message = [](const char* name) {
+    try {
+      refuse_filter_name(name, {"db1-db38"});
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(message("mb4.2"),
+            "filter 'mb4.2' is a minimum-bandwidth filter, whose taps have no "
+            "closed definition here; give them as a JSON file");
+  EXPECT_EQ(message("qshift_a").find("filter 'qshift_a' is a q-shift filter"), 0U);
+  EXPECT_EQ(message("mexh"),
+            "filter 'mexh' is a continuous wavelet, which has no filter of finitely many taps");
+  for (const char* other : {"", "mbx", "fkorovkin", "9"}) {
+    EXPECT_EQ(message(other), "unknown filter '" + std::string(other) + "'; known: db1-db38");
+  }
+}
+
 TEST(FilterName, OrdersOfASpline) {
   const auto orders = spline_orders("bspline3.5");
   ASSERT_TRUE(orders);

@@ -140,11 +140,12 @@ std::optional<FilterDefinition> define_coiflet(std::string_view name) {
 }  // namespace
 
 Family coiflet_family() {
-  Family family{"coif1-coif17 (aliases K1-K17)", {}, {}, define_coiflet};
+  Family family{"coif1-coif17 (aliases K1-K17, c6-c102)", {}, {}, define_coiflet};
   for (int order = 1; order <= highest_coiflet_order; ++order) {
     const std::string name = fmt::format("coif{}", order);
     family.members.push_back(name);
     family.aliases.emplace_back(fmt::format("K{}", order), name);
+    family.aliases.emplace_back(fmt::format("c{}", 6 * order), name);
   }
   return family;
 }

@@ -26,11 +26,14 @@ std::optional<FilterDefinition> define_daubechies(std::string_view name) {
 }  // namespace
 
 Family daubechies_family() {
-  Family family{"db1-db38 (aliases haar, D2-D76)", {}, {{"haar", "db1"}}, define_daubechies};
+  Family family{
+      "db1-db38 (aliases haar, D2-D76, d2-d76)", {}, {{"haar", "db1"}}, define_daubechies};
   for (int order = 1; order <= highest_daubechies_order; ++order) {
     const std::string name = fmt::format("db{}", order);
     family.members.push_back(name);
-    family.aliases.emplace_back(fmt::format("D{}", 2 * order), name);
+    for (const char letter : {'D', 'd'}) {
+      family.aliases.emplace_back(fmt::format("{}{}", letter, 2 * order), name);
+    }
   }
   return family;
 }

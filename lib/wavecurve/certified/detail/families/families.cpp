@@ -5,13 +5,16 @@
 
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/find_filter.hpp"
-#include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::certified {
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> all{daubechies_family(), symlet_family(), coiflet_family(),
-                                       spline_family(), cdf97_family()};
+  static const std::vector<Family> all = [] {
+    std::vector<Family> list{daubechies_family(), symlet_family(), coiflet_family(),
+                             spline_family(), halfband_pair_family()};
+    list.push_back(reversed_pair_family(list));
+    return list;
+  }();
   return all;
 }
 
@@ -27,7 +30,9 @@ FilterDefinition find_filter(std::string_view name) {
   for (const Family& family : families()) {
     if (auto definition = family.define(canonical)) return *definition;
   }
-  throw std::invalid_argument(unknown_name("filter", name, families(), &Family::names));
+  std::vector<std::string> known;
+  for (const Family& family : families()) known.push_back(family.names);
+  refuse_filter_name(name, known);
 }
 
 std::vector<std::string> filter_names() {

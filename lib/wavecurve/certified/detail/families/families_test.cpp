@@ -1,5 +1,7 @@
 #include "wavecurve/certified/detail/families/families.hpp"
 
+#include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -72,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Families, EveryFilter,
                          testing::Values("db1", "db2", "db3", "db4", "db7", "db10", "db20", "db38",
                                          "sym2", "sym4", "sym7", "sym11", "sym16", "sym20", "coif1",
                                          "coif2", "coif3", "coif4", "coif5", "coif9", "coif17",
-                                         "cdf9.7", "bspline1.1", "bspline1.5", "bspline2.2",
+                                         "cdf9.7", "bior5.5", "bior6.8", "rbio1.3", "rbio4.4",
+                                         "rbio6.8", "bspline1.1", "bspline1.5", "bspline2.2",
                                          "bspline3.1", "bspline4.4", "bspline7.3", "bspline20.20"),
                          test_name);
 
@@ -119,6 +122,96 @@ TEST(Names, AliasesLeadToTheCanonicalName) {
   EXPECT_EQ(canonical_filter_name("K5"), "coif5");
   EXPECT_EQ(canonical_filter_name("bior4.4"), "cdf9.7");
   EXPECT_EQ(canonical_filter_name("bspline3.5"), "bspline3.5");
+  for (const auto& [alias, name] :
+       std::vector<std::pair<std::string, std::string>>{{"d2", "db1"},
+                                                        {"d8", "db4"},
+                                                        {"c6", "coif1"},
+                                                        {"c30", "coif5"},
+                                                        {"la8", "sym4"},
+                                                        {"la14", "sym7"},
+                                                        {"la20", "sym10"},
+                                                        {"legall", "bspline2.2"},
+                                                        {"cdf5.3", "bspline2.2"},
+                                                        {"bior1.5", "bspline1.5"},
+                                                        {"bior2.8", "bspline2.8"},
+                                                        {"bior3.9", "bspline3.9"},
+                                                        {"antonini", "cdf9.7"},
+                                                        {"bior5.5", "bior5.5"},
+                                                        {"rbio2.2", "rbio2.2"}}) {
+    EXPECT_EQ(canonical_filter_name(alias), name);
+  }
+}
+
+TEST(Names, EachStandsForOneFilter) {
+  std::set<std::string> seen;
+  for (const Family& family : families()) {
+    for (const std::string& name : family.members) {
+      EXPECT_TRUE(seen.insert(name).second) << name;
+      EXPECT_EQ(canonical_filter_name(name), name);
+    }
+    for (const auto& [alias, name] : family.aliases) {
+      EXPECT_TRUE(seen.insert(alias).second) << alias;
+      EXPECT_EQ(canonical_filter_name(alias), name);
+    }
+  }
+}
+
+TEST(Names, ReversedPairsExchangeTheSides) {
+  int pairs = 0;
+  for (const Family& family : families()) {
+    for (const std::string& name : family.members) {
+      if (!name.starts_with("rbio")) continue;
+      const auto reversed = find_filter(name).bank(bits);
+      const auto pair = find_filter("bior" + name.substr(4)).bank(bits);
+      const WorkingPrecision precision(2 * bits);
+      EXPECT_EQ(reversed.name, name);
+      const auto same = [](const Filter<Ball>& a, const Filter<Ball>& b) {
+        return a.first_index == b.first_index &&
+               std::ranges::equal(a.taps, b.taps,
+                                  [](const Ball& x, const Ball& y) { return x.overlaps(y); });
+      };
+      EXPECT_TRUE(same(reversed.analysis_low, pair.synthesis_low)) << name;
+      EXPECT_TRUE(same(reversed.synthesis_low, pair.analysis_low)) << name;
+      EXPECT_TRUE(same(reversed.synthesis_high, pair.analysis_high)) << name;
+      EXPECT_EQ(reversed.vanishing_moments, pair.dual_vanishing_moments);
+      ++pairs;
+    }
+  }
+  EXPECT_EQ(pairs, 15);  // as many as PyWavelets and MATLAB have
+}
+
+TEST(HalfbandPairs, HaveTheLengthsOfTheirDefinition) {
+  const auto lengths = [](const char* name) {
+    const auto bank = find_filter(name).bank(bits);
+    return std::pair(bank.analysis_low.size(), bank.synthesis_low.size());
+  };
+  EXPECT_EQ(lengths("cdf9.7"), std::pair(9, 7));
+  EXPECT_EQ(lengths("bior5.5"), std::pair(9, 11));
+  EXPECT_EQ(lengths("bior6.8"), std::pair(17, 11));
+}
+
+TEST(Names, FiltersOfOtherPackagesAreRefusedWithAReason) {
+  const auto message = [](const char* name) {
+    try {
+      find_filter(name);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const char* name :
+       {"fk4", "fk22", "dmey", "beyl", "vaid", "mb4", "mb4.2", "bl14", "han2.3"}) {
+    EXPECT_NE(message(name).find("JSON file"), std::string::npos) << message(name);
+  }
+  EXPECT_EQ(message("fk8"),
+            "filter 'fk8' is a Fejer-Korovkin filter, whose taps have no closed "
+            "definition here; give them as a JSON file");
+  EXPECT_NE(message("morl").find("a continuous wavelet"), std::string::npos);
+  for (const char* name : {"blah", "fkx", "bior4.6", "rbio4.6", "rbio", "la6", "c7", "d7"}) {
+    EXPECT_TRUE(
+        message(name).starts_with("unknown filter '" + std::string(name) + "'; known: db1-db38"))
+        << message(name);
+  }
 }
 
 TEST(Names, WhatIsNoFilterIsRefused) {

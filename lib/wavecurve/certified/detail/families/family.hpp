@@ -32,7 +32,10 @@ Family daubechies_family();
 Family symlet_family();
 Family coiflet_family();
 Family spline_family();
-Family cdf97_family();
+Family halfband_pair_family();
+
+/// The rbioD.E of every biorD.E among the names and the aliases of the other families.
+Family reversed_pair_family(const std::vector<Family>& others);
 
 /// The definition of an orthonormal family whose autocorrelation is that of P_N: Daubechies,
 /// symlets.

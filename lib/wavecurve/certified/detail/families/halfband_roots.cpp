@@ -1,8 +1,6 @@
 #include "wavecurve/certified/detail/families/halfband_roots.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 #include "wavecurve/certified/detail/flint_roots.hpp"
 
@@ -57,30 +55,55 @@ void root_inside(acb_t z, const acb_t y) {
   acb_clear(s);
 }
 
-Polynomial<Ball> factor_of(acb_t y, bool is_real) {
+Ball real_part(const acb_t x) {
+  Ball part;
+  arb_set(part.get(), acb_realref(x));
+  return part;
+}
+
+Ball imaginary_part(const acb_t x) {
+  Ball part;
+  arb_set(part.get(), acb_imagref(x));
+  return part;
+}
+
+/// 1 - z x, or for a conjugate pair (1 - z x)(1 - conj(z) x).
+Polynomial<Ball> factor_of(const acb_t z, bool is_real) {
+  const Ball re = real_part(z), im = imaginary_part(z);
+  if (is_real) return {Ball(1), -re};
+  return {Ball(1), -(re + re), re * re + im * im};
+}
+
+Polynomial<Ball> factor_in_x(const acb_t y, bool is_real) {
   acb_t z;
   acb_init(z);
   root_inside(z, y);
-  Ball re, im;
-  arb_set(re.get(), acb_realref(z));
-  arb_set(im.get(), acb_imagref(z));
+  Polynomial<Ball> factor = factor_of(z, is_real);
   acb_clear(z);
-  Polynomial<Ball> factor = is_real ? Polynomial<Ball>{Ball(1), -re}
-                                    : Polynomial<Ball>{Ball(1), -(re + re), re * re + im * im};
   Ball sum(0);
   for (const Ball& c : factor) sum += c;
   for (Ball& c : factor) c /= sum;
   return factor;
 }
 
-}  // namespace
+Polynomial<Ball> factor_in_y(const acb_t y, bool is_real) {
+  acb_t inverse;
+  acb_init(inverse);
+  acb_inv(inverse, y, WorkingPrecision::bits());
+  Polynomial<Ball> factor = factor_of(inverse, is_real);
+  acb_clear(inverse);
+  return factor;
+}
 
-std::vector<Polynomial<Ball>> halfband_factors(int order) {
+/// factor(y, is_real) for every real root y of P_N and one of each conjugate pair, in the order of
+/// the header.
+template <class Factor>
+std::vector<Polynomial<Ball>> factors_of_halfband(int order, Factor factor) {
   const long degree = order - 1;
   if (degree < 1) return {};
   ComplexVector roots(degree);
   isolate_roots(order, roots);
-  std::vector<long> chosen;  // every real root and one of each conjugate pair
+  std::vector<long> chosen;
   for (long i = 0; i < degree; ++i) {
     if (acb_is_real(roots[i]) || arb_is_positive(acb_imagref(roots[i]))) chosen.push_back(i);
   }
@@ -90,25 +113,18 @@ std::vector<Polynomial<Ball>> halfband_factors(int order) {
     return arb_lt(acb_realref(roots[a]), acb_realref(roots[b])) != 0;
   });
   std::vector<Polynomial<Ball>> factors;
-  for (const long i : chosen) factors.push_back(factor_of(roots[i], acb_is_real(roots[i]) != 0));
+  for (const long i : chosen) factors.push_back(factor(roots[i], acb_is_real(roots[i]) != 0));
   return factors;
 }
 
-Ball halfband_real_root(int order) {
-  const long degree = order - 1;
-  ComplexVector roots(degree);
-  isolate_roots(order, roots);
-  std::vector<Ball> real;
-  for (long i = 0; i < degree; ++i) {
-    if (!acb_is_real(roots[i])) continue;
-    real.emplace_back();
-    arb_set(real.back().get(), acb_realref(roots[i]));
-  }
-  if (real.size() != 1) {
-    throw std::domain_error("the half-band polynomial of order " + std::to_string(order) + " has " +
-                            std::to_string(real.size()) + " real roots, not one");
-  }
-  return real.front();
+}  // namespace
+
+std::vector<Polynomial<Ball>> halfband_factors(int order) {
+  return factors_of_halfband(order, factor_in_x);
+}
+
+std::vector<Polynomial<Ball>> halfband_factors_in_y(int order) {
+  return factors_of_halfband(order, factor_in_y);
 }
 
 }  // namespace wavecurve::certified

@@ -16,7 +16,8 @@ namespace wavecurve::certified {
 /// ones first, then the pairs; within each kind by ascending real part, then imaginary part, of y.
 std::vector<Polynomial<Ball>> halfband_factors(int order);
 
-/// The real root of P_N for even N. Throws std::domain_error if there is not exactly one.
-Ball halfband_real_root(int order);
+/// The real factors of smallest degree of P_N(y) itself, 1 - y/r of a real root r and
+/// 1 - 2 Re(r) y / |r|^2 + y^2 / |r|^2 of a conjugate pair, in the same order.
+std::vector<Polynomial<Ball>> halfband_factors_in_y(int order);
 
 }  // namespace wavecurve::certified

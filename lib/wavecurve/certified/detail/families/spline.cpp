@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/polynomial.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
@@ -65,10 +67,20 @@ std::optional<FilterDefinition> define_spline(std::string_view name) {
 }  // namespace
 
 Family spline_family() {
-  Family family{"bsplineD.E (orders 1 .. 100, D + E even)", {}, {}, define_spline, false};
+  Family family{"bsplineD.E (orders 1 .. 100, D + E even; aliases bior1.1-bior3.9, legall, cdf5.3)",
+                {},
+                {{"legall", "bspline2.2"}, {"cdf5.3", "bspline2.2"}},
+                define_spline,
+                false};
   for (int order = 1; order <= highest_listed_order; ++order) {
     for (int dual = 2 - order % 2; dual <= highest_listed_order; dual += 2) {
       family.members.push_back("bspline" + std::to_string(order) + "." + std::to_string(dual));
+    }
+  }
+  for (const auto& [order, highest_dual] : {std::pair(1, 5), {2, 8}, {3, 9}}) {
+    for (int dual = 2 - order % 2; dual <= highest_dual; dual += 2) {
+      const std::string orders = fmt::format("{}.{}", order, dual);
+      family.aliases.emplace_back("bior" + orders, "bspline" + orders);
     }
   }
   return family;

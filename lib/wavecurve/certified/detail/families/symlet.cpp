@@ -2,6 +2,8 @@
 #include <array>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/families/halfband_roots.hpp"
 
@@ -27,6 +29,9 @@ namespace wavecurve::certified {
 namespace {
 
 constexpr int lowest_order = 2, highest_symlet_order = 20;
+/// The least asymmetric filters of R are these symlets or their mirror images
+/// (docs/conventions.md).
+constexpr int lowest_la_order = 4, highest_la_order = 10;
 constexpr std::array mirrored{4, 6, 8, 10, 17, 18};
 constexpr long decision_bits = 128;
 
@@ -130,9 +135,13 @@ std::optional<FilterDefinition> define_symlet(std::string_view name) {
 }  // namespace
 
 Family symlet_family() {
-  Family family{"sym2-sym20", {}, {}, define_symlet};
+  Family family{"sym2-sym20 (aliases la8-la20)", {}, {}, define_symlet};
   for (int order = lowest_order; order <= highest_symlet_order; ++order) {
-    family.members.push_back("sym" + std::to_string(order));
+    const std::string name = fmt::format("sym{}", order);
+    family.members.push_back(name);
+    if (lowest_la_order <= order && order <= highest_la_order) {
+      family.aliases.emplace_back(fmt::format("la{}", 2 * order), name);
+    }
   }
   return family;
 }
