@@ -9,11 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "wavecurve/certified/decimal_enclosure.hpp"
-#include "wavecurve/certified/rounding.hpp"
-
-#include "verification/tables/misprint.hpp"
-#include "verification/tables/print_form.hpp"
+#include "verification/tables/column_errors.hpp"
+#include "verification/tables/judge_print.hpp"
 #include "verification/tables/published_taps.hpp"
 #include "verification/tables/routes.hpp"
 #include "verification/tables/true_value.hpp"
@@ -22,14 +19,15 @@ namespace wavecurve::verification {
 
 namespace {
 
-constexpr int least_correct_digits = 3;
-
 /// A row while it is worked on.
 struct Row {
   CheckedRow& result;
   TrueValue value;
   bool wrong = false;  ///< proved not to be the rounded value, in whatever form
   std::optional<Repair> repair;
+
+  /// A fraction is not the outcome of a computation in floating point: no route explains it.
+  bool may_have_a_route() const { return !result.entry.number.is_fraction(); }
 };
 
 struct Column {
@@ -37,81 +35,35 @@ struct Column {
   FilterValues& filter;
   ColumnForm form;
   std::vector<Row> rows;
+  std::map<int, std::size_t> row_of_index;
 };
 
-std::string digits_text(const PrintForm& form) {
-  const std::string noun = form.scientific ? "significant digit" : "decimal";
-  return fmt::format("{} {}{}", form.digits, noun, form.digits == 1 ? "" : "s");
-}
-
-// --- certified, form, undecided: what needs no search ---
-
-bool is_proved_negative(const TrueValue& value) {
-  const auto is_negative = [](const certified::Ball& enclosure) {
-    if (certainly_less(enclosure, certified::Ball(0))) return Decision::yes;
-    return enclosure.contains_zero() && !enclosure.is_exact() ? Decision::undecided : Decision::no;
-  };
-  return decide(value, is_negative) == Decision::yes;
-}
-
-bool is_tie(const TrueValue& value, const PrintedNumber& print) {
-  return value.exact &&
-         (*value.exact - print.value()).abs() == print.unit() / certified::Rational(2);
-}
-
-void set(CheckedRow& row, PrintVerdict verdict, std::string detail) {
-  row.verdict = verdict;
-  row.detail = std::move(detail);
-}
-
-std::string other_form_text(const PrintedNumber& print, const ColumnForm& column) {
-  return fmt::format("the right value with {}; its column has {}", digits_text(form_of(print)),
-                     digits_text(column.form));
-}
-
-void judge_right(Row& row, const ColumnForm& column) {
-  const PrintedNumber& print = row.result.entry.number;
-  if (print.is_bare_zero() && row.value.is_exactly_zero()) {
-    set(row.result, PrintVerdict::certified, "exactly zero");
-  } else if (column.established && form_of(print) != column.form) {
-    set(row.result, PrintVerdict::form, other_form_text(print, column));
-  } else if (print.is_zero() && print.negative && !is_proved_negative(row.value)) {
-    set(row.result, PrintVerdict::form, "the right value with a sign that it does not have");
-  } else if (is_tie(row.value, print)) {
-    set(row.result, PrintVerdict::certified,
-        "an exact tie; either neighbour is a correct rounding");
-  } else {
-    set(row.result, PrintVerdict::certified, "");
-  }
-}
-
-/// The print is no correct rounding at its own last digit; it may still be the number that the
-/// column's form asks for, with zeros behind it.
-bool is_right_number(const Row& row, const ColumnForm& column) {
-  if (!column.established) return false;
-  const auto rounded = round_to_form(row.value, column.form);
-  return rounded && rounded->value() == row.result.entry.number.value();
-}
+// --- what needs no search ---
 
 void judge_alone(Row& row, const ColumnForm& column) {
-  const PrintedNumber& print = row.result.entry.number;
-  switch (is_within(row.value, print.value(), print.unit() / certified::Rational(2))) {
-    case Decision::yes:
-      judge_right(row, column);
-      return;
-    case Decision::undecided:
-      set(row.result, PrintVerdict::undecided,
-          fmt::format("the rounding is still open at {} bits", precision_limit_bits));
-      return;
-    case Decision::no:
-      break;
+  JudgedPrint judged = judge_print(row.value, row.result.entry.number, column);
+  row.result.verdict = judged.verdict;
+  row.result.detail = std::move(judged.detail);
+  row.wrong = judged.wrong;
+  row.repair = std::move(judged.repair);
+}
+
+/// An edit that leaves no digit but those of the right number, such as a lost sign, speaks for
+/// itself. Another needs a column that is otherwise accurate.
+void drop_chance_repairs(std::vector<Row>& rows) {
+  const auto keeps_digits = [](const Row& row) {
+    return row.repair->repaired.significand() == row.result.entry.number.significand();
+  };
+  std::vector<PrintError> errors;
+  for (const Row& row : rows) {
+    const bool inaccurate = row.wrong && (!row.repair || row.repair->only_last_digit);
+    errors.push_back(row.wrong ? error_of(row.value, row.result.entry.number, inaccurate)
+                               : PrintError{});
   }
-  if (is_right_number(row, column)) {
-    set(row.result, PrintVerdict::form, other_form_text(print, column));
-    return;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i];
+    if (row.repair && !keeps_digits(row) && is_usual_error(errors, i)) row.repair.reset();
   }
-  row.wrong = true;
-  row.repair = likeliest_repair(print, intended_prints(row.value, print, column));
 }
 
 // --- the route of a column ---
@@ -160,6 +112,7 @@ RouteInput route_input(const Column& column, const std::vector<Column>& columns)
 ColumnToExplain column_to_explain(const Column& column) {
   ColumnToExplain result{column.result.quantity, column.form.form, {}};
   for (const Row& row : column.rows) {
+    if (!row.may_have_a_route()) continue;
     const PublishedEntry& entry = row.result.entry;
     const int place =
         is_taps(entry.quantity) ? entry.index - column.filter.first_tap() : std::abs(entry.index);
@@ -173,64 +126,32 @@ ColumnToExplain column_to_explain(const Column& column) {
 
 // --- the verdicts of what is wrong ---
 
-std::string describe_difference(const Row& row) {
-  const PrintedNumber& print = row.result.entry.number;
-  const auto right = round_to_form(row.value, form_of(print));
-  const int digit = right ? first_wrong_digit(print, *right) : 0;
-  return digit > 0 ? fmt::format("the true value differs from significant digit {} on", digit)
-                   : "the true value differs";
-}
-
 void judge_wrong(Row& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
   if (yielded_by_route) {
     result.verdict = PrintVerdict::published_route;
-    result.detail = describe_difference(row);
+    result.detail = describe_difference(row.value, result.entry.number);
     result.route = route;
     return;
   }
-  if (row.repair) {
-    result.verdict = PrintVerdict::misprint;
-    result.detail = row.repair->description + ": " + row.repair->repaired.text();
-    if (row.repair->only_last_digit) {
-      result.detail += "; only the last digit, so an inaccurate computation explains it as well";
-    }
-    return;
-  }
-  const int correct = correct_digits(row.value, result.entry.number);
-  result.verdict =
-      correct >= least_correct_digits ? PrintVerdict::agrees_to_digits : PrintVerdict::discrepant;
-  result.detail = fmt::format("{} significant digit{} right", correct, correct == 1 ? "" : "s");
-  if (result.ulps <= 1.5) result.detail += "; one unit in the last digit is a rounding difference";
-}
-
-/// The digits that the report shows: the column's, or the print's where it has more and is wrong.
-std::string certified_text(const Row& row, const ColumnForm& column) {
-  const PrintForm own = form_of(row.result.entry.number);
-  PrintForm shown = column.established ? column.form : own;
-  if (row.wrong && own.scientific == shown.scientific) {
-    shown.digits = std::max(shown.digits, own.digits);
-  }
-  const auto rounded = round_to_form(row.value, shown);
-  if (rounded) return rounded->text();
-  constexpr int most_digits = 15;
-  return row.value.exact
-             ? certified::round_to_digits(*row.value.exact, most_digits)
-             : certified::supported_decimal(row.value.enclosure(precision_limit_bits), most_digits)
-                   .value;
+  JudgedPrint judged = judge_wrong_print(row.value, result.entry.number, row.repair);
+  result.verdict = judged.verdict;
+  result.detail = std::move(judged.detail);
 }
 
 void finish(Column& column, const RouteScore& route) {
   column.result.route = route.name;
   column.result.matched = route.matched;
   column.result.after_edit = route.after_edit;
-  column.result.of = static_cast<int>(column.rows.size());
-  for (std::size_t i = 0; i < column.rows.size(); ++i) {
-    Row& row = column.rows[i];
-    row.result.ulps = distance_in_units(row.value, row.result.entry.number);
-    row.result.certified = certified_text(row, column.form);
-    if (row.wrong) judge_wrong(row, route.yields_print[i], route.name);
+  std::size_t explained = 0;
+  for (Row& row : column.rows) {
+    const PrintedNumber& print = row.result.entry.number;
+    const bool yielded = row.may_have_a_route() && route.yields_print[explained++];
+    row.result.ulps = distance_in_units(row.value, print);
+    row.result.certified = certified_text(row.value, print, column.form, row.wrong);
+    if (row.wrong) judge_wrong(row, yielded, route.name);
   }
+  column.result.of = static_cast<int>(explained);
 }
 
 // --- the columns of a table ---
@@ -255,31 +176,44 @@ class Filters {
   std::map<std::string, std::unique_ptr<FilterValues>> by_canonical_name_;
 };
 
-Column& column_of(std::vector<Column>& columns, FilterValues& filter, const PublishedEntry& entry) {
-  const auto known = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
-    return &column.filter == &filter && column.result.quantity == entry.quantity;
-  });
-  if (known != columns.end()) return *known;
-  columns.push_back({{entry.filter, entry.quantity, 0, false, "", 0, 0, 0, {}}, filter, {}, {}});
-  return columns.back();
-}
+/// The columns in the order in which the table begins them.
+class Columns {
+ public:
+  explicit Columns(Filters& filters) : filters_(filters) {}
 
-void refuse_repetition(const Column& column, const PublishedEntry& entry) {
-  for (const Row& row : column.rows) {
-    if (row.result.entry.index != entry.index) continue;
-    throw std::invalid_argument(fmt::format("the row repeats line {} ({} and {} are one filter)",
-                                            row.result.entry.line, row.result.entry.filter,
-                                            entry.filter));
+  void add_row(CheckedRow& result) {
+    FilterValues& filter = filters_.find(result.entry.filter);
+    Column& column = column_of(filter, result.entry);
+    const auto [known, is_new] =
+        column.row_of_index.emplace(result.entry.index, column.rows.size());
+    if (!is_new) refuse_repetition(column.rows[known->second].result.entry, result.entry);
+    column.rows.push_back(
+        {result, filter.value(result.entry.quantity, result.entry.index), false, std::nullopt});
   }
-}
 
-void add_row(std::vector<Column>& columns, Filters& filters, CheckedRow& result) {
-  FilterValues& filter = filters.find(result.entry.filter);
-  Column& column = column_of(columns, filter, result.entry);
-  refuse_repetition(column, result.entry);
-  column.rows.push_back(
-      {result, filter.value(result.entry.quantity, result.entry.index), false, std::nullopt});
-}
+  std::vector<Column> take() { return std::move(columns_); }
+
+ private:
+  Column& column_of(FilterValues& filter, const PublishedEntry& entry) {
+    const auto [known, is_new] =
+        places_.emplace(std::pair(&filter, entry.quantity), columns_.size());
+    if (is_new) {
+      columns_.push_back(
+          {{entry.filter, entry.quantity, 0, false, "", 0, 0, 0, {}}, filter, {}, {}, {}});
+    }
+    return columns_[known->second];
+  }
+
+  [[noreturn]] static void refuse_repetition(const PublishedEntry& known,
+                                             const PublishedEntry& entry) {
+    throw std::invalid_argument(fmt::format("the row repeats line {} ({} and {} are one filter)",
+                                            known.line, known.filter, entry.filter));
+  }
+
+  Filters& filters_;
+  std::vector<Column> columns_;
+  std::map<std::pair<FilterValues*, Quantity>, std::size_t> places_;
+};
 
 void find_form(Column& column) {
   std::vector<PrintedNumber> prints;
@@ -304,22 +238,24 @@ bool CheckedTable::is_right() const {
 }
 
 CheckedTable check_table(const PublishedTable& table) {
-  CheckedTable result{table.file, table.title, {}, {}};
+  CheckedTable result{table.file, table.title, table.extra_columns, {}, {}};
   for (const PublishedEntry& entry : table.entries) {
     result.rows.push_back({entry, PrintVerdict::undecided, "", 0, "", ""});
   }
   Filters filters;
-  std::vector<Column> columns;
+  Columns read(filters);
   for (CheckedRow& row : result.rows) {
     try {
-      add_row(columns, filters, row);
+      read.add_row(row);
     } catch (const std::logic_error& error) {  // invalid_argument and domain_error
       throw std::invalid_argument(table.location(row.entry) + error.what());
     }
   }
+  std::vector<Column> columns = read.take();
   for (Column& column : columns) {
     find_form(column);
     for (Row& row : column.rows) judge_alone(row, column.form);
+    drop_chance_repairs(column.rows);
   }
   for (Column& column : columns) {
     column.result.routes = score_routes(column_to_explain(column), route_input(column, columns));
