@@ -12,16 +12,19 @@ VerdictStyle style_of(PrintVerdict verdict) {
     case PrintVerdict::certified:
       return {"✓", "good", "Proved: the printed decimal is the correctly rounded true value."};
     case PrintVerdict::form:
-      return {"=", "good", "The right value, printed with more or fewer decimals than its column."};
+      return {"=", "good",
+              "The right value in another form than its column's, or filled up with zeros."};
     case PrintVerdict::misprint:
       return {"≠", "partial", "One edit of the print turns it into the certified rounding."};
     case PrintVerdict::published_route:
       return {"→", "partial",
               "A named computation yields the printed digits; the true value differs."};
     case PrintVerdict::agrees_to_digits:
-      return {"≈", "partial", "At least the first three significant digits are right."};
+      return {"≈", "partial",
+              "Less than one unit of its last digit off, or three significant digits are right."};
     case PrintVerdict::discrepant:
-      return {"✗", "bad", "Fewer than three significant digits are right."};
+      return {"✗", "bad",
+              "Neither within a unit of its last digit nor right to three significant digits."};
     case PrintVerdict::undecided:
       return {"?", "open",
               "The enclosure straddles a rounding boundary at the highest precision tried."};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "tools/commands/commands.hpp"
 #include "verification/tables/check_table.hpp"
 #include "verification/tables/route_chance.hpp"
+#include "verification/tables/table_columns.hpp"
 
 namespace wavecurve::tools {
 
@@ -20,7 +22,15 @@ namespace {
 using namespace wavecurve::verification;
 
 /// Six significant digits: a distance is there to be read, not to be computed with.
-double short_number(double x) { return std::stod(fmt::format("{:.6g}", x)); }
+nlohmann::json short_number(double x) {
+  if (!std::isfinite(x)) return nullptr;
+  return std::stod(fmt::format("{:.6g}", x));
+}
+
+/// A distance, or nothing for a fraction, which has no last digit.
+std::string ulps_text(double ulps, int digits) {
+  return std::isnan(ulps) ? "" : fmt::format("{:.{}g}", ulps, digits);
+}
 
 std::string form_text(const CheckedColumn& column) {
   return fmt::format("{} {}", column.digits, column.scientific ? "significant digits" : "decimals");
@@ -60,6 +70,9 @@ std::string table_as_json(const CheckedTable& table) {
                               {"detail", row.detail},
                               {"route", row.route.empty() ? nlohmann::ordered_json()
                                                           : nlohmann::ordered_json(row.route)}});
+    for (std::size_t i = 0; i < table.extra_columns.size(); ++i) {
+      result["rows"].back()["extra"][table.extra_columns[i]] = row.entry.extra[i];
+    }
   }
   result["columns"] = nlohmann::ordered_json::array();
   for (const CheckedColumn& column : table.columns) {
@@ -97,13 +110,22 @@ std::string table_as_json(const CheckedTable& table) {
 }
 
 std::string table_as_csv(const CheckedTable& table) {
-  std::string result = "filter,quantity,index,printed,verdict,certified,ulps,detail,route\n";
+  std::vector<std::string> names{"filter",    "quantity", "index",  "printed", "verdict",
+                                 "certified", "ulps",     "detail", "route"};
+  for (const std::string& name : table.extra_columns) unique_name(name, names);
+  std::string result;
+  for (const std::string& name : names) {
+    result += (result.empty() ? "" : ",") + io::csv_field(name);
+  }
+  result += "\n";
   for (const CheckedRow& row : table.rows) {
-    result += fmt::format("{},{},{},{},{},{},{:.6g},{},{}\n", io::csv_field(row.entry.filter),
+    result += fmt::format("{},{},{},{},{},{},{},{},{}", io::csv_field(row.entry.filter),
                           io::csv_field(to_string(row.entry.quantity)),
                           io::csv_field(row.entry.index.text()), io::csv_field(row.entry.printed),
-                          to_string(row.verdict), row.certified, row.ulps,
+                          to_string(row.verdict), row.certified, ulps_text(row.ulps, 6),
                           io::csv_field(row.detail), io::csv_field(row.route));
+    for (const std::string& field : row.entry.extra) result += "," + io::csv_field(field);
+    result += "\n";
   }
   return result;
 }
@@ -167,22 +189,32 @@ std::string conventions_text(const CheckedTable& table) {
   return result.empty() ? "" : "\nconventions\n" + result;
 }
 
+/// How many columns of a terminal a text takes: one a character of UTF-8, not one a byte.
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
 std::string table_as_text(const CheckedTable& table) {
   std::vector<std::vector<std::string>> cells{
       {"filter", "quantity", "index", "printed", "certified", "ulps", "verdict", "detail"}};
+  cells[0].insert(cells[0].end(), table.extra_columns.begin(), table.extra_columns.end());
   for (const CheckedRow& row : table.rows) {
     cells.push_back({row.entry.filter, to_string(row.entry.quantity), row.entry.index.text(),
-                     row.entry.printed, row.certified, fmt::format("{:.3g}", row.ulps),
+                     row.entry.printed, row.certified, ulps_text(row.ulps, 3),
                      std::string(to_string(row.verdict)), row.detail});
+    cells.back().insert(cells.back().end(), row.entry.extra.begin(), row.entry.extra.end());
   }
   std::vector<std::size_t> widths(cells[0].size(), 0);
   for (const auto& row : cells) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columns(row[i]));
   }
   std::string result = table.title.empty() ? "" : table.title + "\n\n";
   for (const auto& row : cells) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] - columns(row[i]) + 2, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     result += line + "\n";
   }
@@ -217,9 +249,12 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
   CLI::App* command = app.add_subcommand(
       "check", "Hold the numbers of a published table against their certified values");
   command
-      ->add_option("table", options->table,
-                   "comma-separated text with the columns filter,quantity,index,printed;\n"
-                   "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
+      ->add_option(
+          "table", options->table,
+          "text with the columns filter, quantity, index, printed (or value), separated\n"
+          "by commas, semicolons or tabs; \"# filter: db4\" and \"# quantity: h\" stand for\n"
+          "columns of their own; other columns are kept; numbers in any usual form;\n"
+          "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
       ->required();
   command->add_option("--format", options->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}))

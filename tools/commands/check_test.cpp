@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -55,6 +56,36 @@ TEST_F(CheckCommand, PrintsCsv) {
   EXPECT_TRUE(
       result.out.starts_with("filter,quantity,index,printed,verdict,certified,ulps,detail,route\n"
                              "D8,alpha,0,2.000000000000,certified,2.000000000000,0,,\n"));
+}
+
+TEST_F(CheckCommand, ShowsExtraColumnsInEveryFormat) {
+  io::write_file(folder_ / "t.csv",
+                 "# filter: D8\n# quantity: mu\nIndex;Value;page;verdict\n"
+                 "0;342643/82248;12;\"a, b\"\n1;-2,6;13;\n");
+  EXPECT_NE(wavecurve("check t.csv").out.find("a, b"), std::string::npos);
+  const auto rows = nlohmann::json::parse(wavecurve("check t.csv --format json").out)["rows"];
+  EXPECT_EQ(rows[0]["extra"], (nlohmann::json{{"page", "12"}, {"verdict", "a, b"}}));
+  EXPECT_TRUE(rows[0]["ulps"].is_null()) << "a fraction has no last digit";
+  EXPECT_EQ(rows[0]["certified"], "342643/82248");
+  EXPECT_EQ(rows[1]["printed"], "-2,6");
+  EXPECT_EQ(rows[1]["verdict"], "certified");
+  const std::string csv = wavecurve("check t.csv --format csv").out;
+  EXPECT_TRUE(csv.starts_with(
+      "filter,quantity,index,printed,verdict,certified,ulps,detail,route,page,verdict (2)\n"))
+      << csv;
+  EXPECT_NE(csv.find(",exactly this fraction,,12,\"a, b\"\n"), std::string::npos) << csv;
+}
+
+TEST_F(CheckCommand, ReadsItsOwnTable) {
+  io::write_file(folder_ / "own.csv", wavecurve("check " + table_1_ + " --format csv").out);
+  EXPECT_EQ(wavecurve("check own.csv").exit_code, 0);
+}
+
+TEST_F(CheckCommand, RefusesWhatHasNoEndOrNoBound) {
+  if (std::filesystem::exists("/dev/zero"))
+    expect_refusal("check /dev/zero", "larger than 67108864");
+  io::write_file(folder_ / "t.csv", "filter,quantity,index,printed\nD8,mu,-2147483648,1\n");
+  expect_refusal("check t.csv", "t.csv:2: the index '-2147483648' is out of range");
 }
 
 TEST_F(CheckCommand, TwoRunsGiveTheSameBytes) {

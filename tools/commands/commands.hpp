@@ -30,6 +30,7 @@ constexpr const char* exit_code_meanings[] = {
 void add_filter_command(CLI::App& app, ExitCode& exit_code);
 void add_coefficients_command(CLI::App& app, ExitCode& exit_code);
 void add_check_command(CLI::App& app, ExitCode& exit_code);
+void add_identify_command(CLI::App& app, ExitCode& exit_code);
 void add_stiffness_command(CLI::App& app, ExitCode& exit_code);
 void add_morph_command(CLI::App& app, ExitCode& exit_code);
 void add_describe_command(CLI::App& app, ExitCode& exit_code);

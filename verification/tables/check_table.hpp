@@ -17,7 +17,7 @@ struct CheckedRow {
   /// The true value, correctly rounded (proved) to the number of decimals of the column, or of the
   /// print where that has more and they differ.
   std::string certified;
-  /// |print - true value| in units of the print's last digit.
+  /// |print - true value| in units of the print's last digit; not a number for a fraction.
   double ulps = 0;
   std::string detail;
   std::string route;  ///< the computation that yields the print, for published-route
@@ -59,7 +59,8 @@ struct CheckedHabit {
 
 struct CheckedTable {
   std::string file, title;
-  std::vector<CheckedRow> rows;  ///< in the order of the table
+  std::vector<std::string> extra_columns;  ///< names of what stands in PublishedEntry::extra
+  std::vector<CheckedRow> rows;            ///< in the order of the table
   std::vector<CheckedColumn> columns;
   std::vector<CheckedHabit> habits;  ///< of several columns
 
@@ -73,17 +74,24 @@ struct CheckedTable {
 ///
 /// undecided         the rounding is open at precision_limit_bits (true_value.hpp).
 /// certified         the print is the true value correctly rounded to the print's own last digit,
-///                   and has as many decimals as its column. A bare 0 is certified if the value is
-///                   exactly zero. Of an exact tie either neighbour is. "-0.000" is if the value is
-///                   proved negative.
+///                   and has as many decimals as its column (print_form.hpp: the habit of its
+///                   notation). A bare 0 is certified if the value is exactly zero, a fraction if
+///                   it is the value. Of an exact tie either neighbour is. "-0.000" is if the value
+///                   is proved negative.
 /// form              correctly rounded as well, but printed with other decimals than its column; or
 ///                   equal as a number to the rounding at the column's decimals
 ///                   ("0.0000000000000").
 /// published-route   the column's credited route yields the printed digits, and the true value does
 ///                   not. A route (routes.hpp) is credited only if it yields nearly all entries,
 ///                   and an unrelated computation as accurate would do as well with a probability
-///                   below 1e-6 (table_routes.hpp).
-/// misprint          one edit turns the print into the certified rounding (misprint.hpp).
+///                   below 1e-6 (table_routes.hpp). No route is looked for a fraction.
+/// agrees-to-digits  less than one unit of the print's last digit away, or the neighbour of the
+///                   correct rounding.
+/// form              correctly rounded to fewer decimals and then filled up with zeros, three
+///                   significant digits at least before them.
+/// misprint          one edit turns the print into the certified rounding (misprint.hpp), and the
+///                   column is not as inaccurate all over (column_errors.hpp); or only the sign
+///                   keeps it from agreeing to within a unit.
 /// agrees-to-digits  at least three significant digits are right: |print - value| is less than one
 ///                   unit of the third.
 /// discrepant        fewer.

@@ -1,6 +1,7 @@
 #include "verification/tables/check_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -8,10 +9,12 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "verification/suite/data_folder.hpp"
@@ -332,6 +335,89 @@ TEST(CheckTable, AsksForThreeCorrectDigits) {
   // The value is -0.63420233...
   EXPECT_EQ(check("D8,mu/mu0,1,-0.637777777777\n").rows[0].verdict, PrintVerdict::discrepant);
   EXPECT_EQ(check("D8,mu/mu0,1,-0.634277777777\n").rows[0].verdict, PrintVerdict::agrees_to_digits);
+}
+
+/// The prints of a column with `units` of the last decimal added to entry i, i counted from 0.
+std::string with_errors(const std::string& rows, const std::vector<int>& units) {
+  PublishedTable table = parse_published_table(header + rows, "t");
+  std::string result;
+  for (std::size_t i = 0; i < table.entries.size(); ++i) {
+    const PublishedEntry& entry = table.entries[i];
+    const certified::Rational moved =
+        entry.number.value() + certified::Rational(units[i]) * entry.number.unit();
+    result += entry.filter + "," + std::string(to_string(entry.quantity)) + "," +
+              entry.index.text() + "," +
+              certified::round_to_decimals(moved, entry.number.decimals()) + "\n";
+  }
+  return result;
+}
+
+TEST(CheckTable, TakesAnEditForAMisprintOnlyInAColumnThatIsOtherwiseAccurate) {
+  const std::string rows = right_rows("db5", Quantity::taps, 0, 9, {false, 15});
+  // 300 units are one edit away: one digit differs.
+  std::vector<int> units{0, 0, 0, 300, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(check(with_errors(rows, units)).rows[3].verdict, PrintVerdict::misprint);
+  units = {127, -251, 178, 300, -94, 213, 0, 161, -333, 77};
+  const CheckedTable inaccurate = check(with_errors(rows, units));
+  EXPECT_EQ(inaccurate.rows[3].verdict, PrintVerdict::agrees_to_digits)
+      << inaccurate.rows[3].detail;
+  EXPECT_FALSE(inaccurate.counts().contains(PrintVerdict::misprint));
+  // An edit that is a hundred times as far off than all else is still one, and so is a sign.
+  units[3] = 40'000'000;  // 0.138428145901103 has a 4 there
+  units[6] = 0;
+  std::string text = with_errors(rows, units);
+  const std::string sixth = check(rows).rows[6].entry.printed;
+  text = replaced(text, sixth, sixth.starts_with('-') ? sixth.substr(1) : "-" + sixth);
+  const CheckedTable both = check(text);
+  EXPECT_EQ(both.rows[3].verdict, PrintVerdict::misprint) << both.rows[3].detail;
+  EXPECT_EQ(both.rows[6].verdict, PrintVerdict::misprint) << both.rows[6].detail;
+}
+
+TEST(CheckTable, FindsTheHabitOfEachNotation) {
+  // What "%.10g" prints of db4, and what a table prints that is fixed above 1e-2, else scientific.
+  for (
+      const char* const digits :
+      {"D8,h,0,0.2303778133\nD8,h,1,0.7148465706\nD8,h,2,0.6308807679\nD8,h,3,-0.02798376942\n"
+       "D8,h,4,-0.1870348117\nD8,h,5,0.03084138184\nD8,h,6,0.03288301167\nD8,h,7,-0.01059740179\n",
+       "D8,mu/mu0,1,-0.634202\nD8,mu/mu0,2,0.167516\nD8,mu/mu0,3,-0.0292\nD8,mu/mu0,4,-0.0039\n"}) {
+    const CheckedTable table = check(digits);
+    EXPECT_FALSE(table.counts().contains(PrintVerdict::form)) << digits;
+  }
+  FilterValues values(find_table_filter("db4"));
+  std::string rows;
+  for (int l = 0; l <= 6; ++l) {
+    const PrintForm form = l < 3 ? PrintForm{false, 8} : PrintForm{true, 6};
+    rows += "D8,mu/mu0," + std::to_string(l) + "," +
+            round_to_form(values.value(Quantity::mu_normalized, l), form)->text() + "\n";
+  }
+  EXPECT_EQ(check(rows).counts(), (std::map<PrintVerdict, int>{{PrintVerdict::certified, 7}}));
+}
+
+TEST(CheckTable, HoldsFractionsAgainstExactValues) {
+  const CheckedTable table = check(
+      "D8,mu,0,342643/82248\nD8,mu,1,-2.642090\nD8,alpha,0,2/1\nD8,alpha,1,1225/1024\n"
+      "D8,alpha,3,-245/1023\nD8,h,0,23/100\n");
+  EXPECT_EQ(table.rows[0].verdict, PrintVerdict::certified) << table.rows[0].detail;
+  EXPECT_EQ(table.rows[2].verdict, PrintVerdict::certified);
+  EXPECT_EQ(table.rows[3].verdict, PrintVerdict::certified);
+  EXPECT_EQ(table.rows[4].verdict, PrintVerdict::agrees_to_digits) << table.rows[4].detail;
+  EXPECT_EQ(table.rows[4].certified, "-245/1024");
+  EXPECT_EQ(table.rows[5].verdict, PrintVerdict::agrees_to_digits) << table.rows[5].detail;
+  EXPECT_TRUE(std::isnan(table.rows[0].ulps));
+  EXPECT_EQ(table.columns[0].of, 1) << "no route is looked for a fraction";
+}
+
+TEST(CheckTable, TakesAPaddedPrintForOneOfOtherForm) {
+  const std::string rows = right_rows("db5", Quantity::taps, 0, 9, {false, 12});
+  std::string padded = rows;
+  const CheckedTable right = check(right_rows("db5", Quantity::taps, 0, 9, {false, 9}));
+  const std::string first = check(rows).rows[2].entry.printed;
+  padded = replaced(padded, first, right.rows[2].entry.printed + "000");
+  const CheckedTable table = check(padded);
+  EXPECT_EQ(table.rows[2].verdict, PrintVerdict::form);
+  EXPECT_NE(table.rows[2].detail.find("right to 9 decimals"), std::string::npos)
+      << table.rows[2].detail;
+  EXPECT_TRUE(table.is_right());
 }
 
 TEST(CheckTable, ReadsZerosAsPrinted) {

@@ -8,6 +8,7 @@
 
 #include "wavecurve/io/files/detail/text.hpp"
 
+#include "verification/tables/number_forms.hpp"
 #include "verification/tables/printed_number.hpp"
 
 namespace wavecurve::verification {
@@ -38,11 +39,9 @@ std::optional<double> parse_point(std::string_view text) {
   try {
     const PrintedNumber number = parse_printed_number(text);
     const double value = number.to_double();
-    if (certified::Rational::from_decimal(number.text()) *
-            certified::Rational(1L << finest_level) ==
-        certified::Rational(std::lround(std::ldexp(value, finest_level)))) {
-      return value;
-    }
+    if (std::abs(value) > largest_index) return value;
+    const certified::Rational scaled = number.value() * certified::Rational(1L << finest_level);
+    if (scaled == certified::Rational(std::lround(std::ldexp(value, finest_level)))) return value;
   } catch (const std::invalid_argument&) {  // not a number: answered below
   }
   return std::nullopt;
@@ -101,7 +100,8 @@ std::string EntryIndex::text() const {
 }
 
 EntryIndex parse_entry_index(std::string_view text) {
-  const auto parts = halves(io::trimmed(text));
+  const std::string plain = plain_number_text(text);
+  const auto parts = halves(io::trimmed(plain));
   std::vector<double> values;
   for (const std::string_view part : parts) {
     const auto value = parts.size() == 2 ? parse_integer(part) : parse_point(part);

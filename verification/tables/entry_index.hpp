@@ -33,7 +33,7 @@ struct EntryIndex {
 /// largest_index.
 EntryIndex parse_entry_index(std::string_view text);
 
-/// No filter is nearly as long.
-inline constexpr int largest_index = 1000000;
+/// No filter is nearly as long, and sums of two such indices are whole numbers still.
+inline constexpr int largest_index = 1'000'000'000;
 
 }  // namespace wavecurve::verification

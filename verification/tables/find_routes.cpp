@@ -93,6 +93,7 @@ std::vector<EntryToExplain> entries_to_explain(const JudgedColumn& column) {
   std::vector<EntryToExplain> entries;
   for (std::size_t i = 0; i < column.rows.size(); ++i) {
     const JudgedRow& row = column.rows[i];
+    if (!row.may_have_a_route()) continue;
     const PrintedNumber& print = row.in_column_form.value_or(row.result.entry.number);
     entries.push_back(
         {place_of(i, column), print, std::nullopt, row.wrong, distance_in_units(row.value, print)});
@@ -154,9 +155,9 @@ CheckedHabit checked_habit(const TableHabit& habit, const std::vector<JudgedColu
     const RouteScore& best = best_of(habit, scores[c]);
     result.matched += best.matched;
     result.of += static_cast<int>(best.yields_print.size());
-    for (std::size_t i = 0; i < best.yields_print.size(); ++i) {
-      const JudgedRow& row = columns[c].rows[i];
-      if (best.yields_print[i] || row.repair) continue;
+    std::size_t explained = 0;
+    for (const JudgedRow& row : columns[c].rows) {
+      if (!row.may_have_a_route() || best.yields_print[explained++] || row.repair) continue;
       result.exceptions.push_back(
           fmt::format("{}_{}", name_of(columns[c]), row.result.entry.index.text()));
     }

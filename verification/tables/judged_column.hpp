@@ -23,6 +23,9 @@ struct JudgedRow {
   std::optional<Repair> repair;
   /// The right number in its column's form, where only this equals the print.
   std::optional<PrintedNumber> in_column_form;
+
+  /// A fraction is not the outcome of a computation in floating point: no route explains it.
+  bool may_have_a_route() const { return !result.entry.number.is_fraction(); }
 };
 
 struct JudgedColumn {

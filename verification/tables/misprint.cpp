@@ -48,15 +48,6 @@ std::optional<TextEdit> text_edit(std::string_view print, std::string_view right
   return same_length_edit(print, right);
 }
 
-/// "0012.5" -> "12.5"
-PrintedNumber without_leading_zeros(PrintedNumber number) {
-  while (number.integer_digits > 1 && number.digits.starts_with('0')) {
-    number.digits.erase(0, 1);
-    --number.integer_digits;
-  }
-  return number;
-}
-
 bool is_one_exponent_edit(int print, int right) {
   if (print == right) return false;
   return print == -right || text_edit(std::to_string(print), std::to_string(right)).has_value();
@@ -119,10 +110,7 @@ bool differs_by_one_unit_at_most(const PrintedNumber& print, const PrintedNumber
 
 }  // namespace
 
-std::optional<Repair> find_repair(const PrintedNumber& print_as_given,
-                                  const PrintedNumber& right_as_given) {
-  const PrintedNumber print = without_leading_zeros(print_as_given);
-  const PrintedNumber right = without_leading_zeros(right_as_given);
+std::optional<Repair> find_repair(const PrintedNumber& print, const PrintedNumber& right) {
   const int significant = right.is_zero() ? 0 : right.significant_digits();
   if (print.negative != right.negative) {
     PrintedNumber turned = print;

@@ -36,8 +36,8 @@ struct Repair {
 /// chance (with two digits, one wrong number in a hundred a possible edit).
 inline constexpr int least_agreeing_digits = 2;
 
-/// The single edit that turns the print into the right number (same notation, digit for digit;
-/// leading zeros of the integer part aside), if there is one.
+/// The single edit that turns the print into the right number (same notation, digit for digit), if
+/// there is one.
 std::optional<Repair> find_repair(const PrintedNumber& print, const PrintedNumber& right);
 
 /// The likeliest of the repairs with enough agreeing digits: the candidates, roundings of the true

@@ -1,133 +1,114 @@
 #include "verification/tables/table_columns.hpp"
 
+#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
-#include <fmt/format.h>
+#include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/text.hpp"
+
+#include "verification/tables/printed_number.hpp"
 
 namespace wavecurve::verification {
 
 namespace {
 
-/// Collects rows into columns; where a column stands, and which indices it has, is looked up.
-class Collector {
- public:
-  Collector(TableFilters& filters, std::vector<JudgedColumn>& columns)
-      : filters_(filters), columns_(columns) {}
+/// Each column is known by the first of its names that the header has.
+using ColumnNames = std::vector<std::string_view>;
+const ColumnNames filter_column{"filter"}, quantity_column{"quantity"}, index_column{"index"},
+    printed_column{"printed", "value"};
 
-  void add(CheckedRow& row) {
-    FilterValues& filter = filters_.find(row.entry.filter);
-    const std::size_t place = place_of(filter, row.entry);
-    const auto [seen, is_new] = indices_[place].emplace(row.entry.index, &row.entry);
-    if (!is_new) refuse_repetition(*seen->second, row.entry);
-    columns_[place].rows.push_back({row, {}, false, {}, {}});
+bool is_known(const std::string& field) {
+  for (const ColumnNames& names : {filter_column, quantity_column, index_column, printed_column}) {
+    if (std::find(names.begin(), names.end(), io::lower_case(field)) != names.end()) return true;
   }
+  return false;
+}
 
- private:
-  std::size_t place_of(FilterValues& filter, const PublishedEntry& entry) {
-    const auto [known, is_new] =
-        places_.emplace(std::pair(&filter, to_string(entry.quantity)), columns_.size());
-    if (is_new) {
-      CheckedColumn column;
-      column.filter = entry.filter;
-      column.quantity = entry.quantity;
-      columns_.push_back({std::move(column), filter, {}, {}, {}});
-      indices_.emplace_back();
+std::optional<std::size_t> find_column(const std::vector<std::string>& fields,
+                                       const ColumnNames& names) {
+  for (const std::string_view name : names) {
+    const auto is_it = [name](const std::string& field) { return io::lower_case(field) == name; };
+    const auto count = std::count_if(fields.begin(), fields.end(), is_it);
+    if (count > 1) {
+      throw std::invalid_argument("the header has column '" + std::string(name) + "' twice");
     }
-    return known->second;
+    if (count == 0) continue;
+    const auto place = std::find_if(fields.begin(), fields.end(), is_it);
+    return static_cast<std::size_t>(place - fields.begin());
   }
-
-  [[noreturn]] static void refuse_repetition(const PublishedEntry& first,
-                                             const PublishedEntry& entry) {
-    throw std::invalid_argument(fmt::format("the row repeats line {} ({} and {} are one filter)",
-                                            first.line, first.filter, entry.filter));
-  }
-
-  TableFilters& filters_;
-  std::vector<JudgedColumn>& columns_;
-  std::map<std::pair<FilterValues*, std::string>, std::size_t> places_;
-  std::vector<std::map<EntryIndex, const PublishedEntry*>> indices_;
-};
-
-Convention natural(const StatedConvention& stated, const JudgedColumn& column) {
-  Convention convention = stated.convention;
-  if (!stated.from_zero) return convention;
-  const auto [first, last] =
-      column.filter.index_range(listed_quantity(column.result.quantity, convention));
-  convention.shift = convention.reversed ? -first : first;
-  return convention;
+  return std::nullopt;
 }
 
-Convention convention_of(const JudgedColumn& column,
-                         const std::optional<StatedConvention>& stated) {
-  std::vector<EntryToPlace> entries;
-  for (const JudgedRow& row : column.rows) {
-    const PrintedNumber& print = row.result.entry.number;
-    entries.push_back(
-        {row.result.entry.index, print.to_double(), certified::Ball(print.unit()).to_double()});
-  }
-  const auto found = recognise_convention(column.filter, column.result.quantity, entries, stated);
-  if (found) return *found;
-  return stated ? natural(*stated, column) : Convention{};
+std::size_t needed_column(const std::vector<std::string>& fields, const ColumnNames& names,
+                          std::string_view header) {
+  if (const auto place = find_column(fields, names)) return *place;
+  throw std::invalid_argument("the header has no column '" + std::string(names.front()) +
+                              "'; a table starts with the line filter,quantity,index,printed, this "
+                              "one with " +
+                              excerpt(header));
 }
 
-bool is_outside(FilterValues& filter, const Quantity& quantity, const Convention& convention,
-                const EntryIndex& index) {
-  const EntryIndex source = source_index(filter, quantity, convention, index);
-  const auto [first, last] = filter.index_range(listed_quantity(quantity, convention));
-  return source.first < first || source.first > last;
-}
-
-TrueValue value_of(const JudgedColumn& column, const PublishedEntry& entry) {
-  const Quantity& quantity = entry.quantity;
-  const bool is_padded = quantity.family->name == "h" && entry.number.is_zero() &&
-                         entry.index.is_integer() &&
-                         is_outside(column.filter, quantity, column.convention, entry.index);
-  if (is_padded) return {certified::Rational(0), {}};
-  return conventional_value(column.filter, quantity, column.convention, entry.index);
-}
-
-/// Runs a step for a row, and puts file and line before what it throws.
-template <class Step>
-void at_row(const PublishedTable& table, const CheckedRow& row, Step step) {
+/// Nothing where quotes do not fit the separator.
+std::vector<std::string> fields_if_any(std::string_view header, char separator) {
   try {
-    step();
-  } catch (const std::logic_error& error) {  // invalid_argument and domain_error
-    throw std::invalid_argument(table.location(row.entry) + error.what());
+    return io::csv_fields(header, separator);
+  } catch (const std::invalid_argument&) {
+    return {};
   }
 }
 
 }  // namespace
 
-FilterValues& TableFilters::find(const std::string& name) {
-  const auto known = by_table_name_.find(name);
-  if (known != by_table_name_.end()) return *known->second;
-  certified::FilterDefinition definition = find_table_filter(name);
-  // A user's file may call itself what it likes.
-  const std::string canonical = name.ends_with(".json") ? name : definition.name;
-  auto& values = by_canonical_name_[canonical];
-  if (!values) values = std::make_unique<FilterValues>(std::move(definition));
-  by_table_name_[name] = values.get();
-  return *values;
-}
-
-std::vector<JudgedColumn> table_columns(const PublishedTable& table, std::vector<CheckedRow>& rows,
-                                        TableFilters& filters) {
-  std::vector<JudgedColumn> columns;
-  Collector collector(filters, columns);
-  for (CheckedRow& row : rows) at_row(table, row, [&] { collector.add(row); });
-  for (JudgedColumn& column : columns) {
-    at_row(table, column.rows.front().result,
-           [&] { column.convention = convention_of(column, table.convention); });
-    for (JudgedRow& row : column.rows) {
-      at_row(table, row.result, [&] { row.value = value_of(column, row.result.entry); });
-    }
-    CheckedColumn& result = column.result;
-    result.convention = column.convention;
-    result.convention_text = describe(column.filter, result.quantity, column.convention);
-    result.known_as = known_as(column.filter, result.quantity, column.convention);
+TableColumns parse_table_columns(std::string_view header) {
+  TableColumns columns;
+  std::vector<std::string> fields;
+  std::ptrdiff_t most = 0;
+  for (const char separator : {',', ';', '\t'}) {
+    std::vector<std::string> found = fields_if_any(header, separator);
+    const auto known = std::count_if(found.begin(), found.end(), is_known);
+    if (known <= most) continue;
+    most = known;
+    columns.separator = separator;
+    fields = std::move(found);
+  }
+  if (most == 0) fields = io::csv_fields(header, columns.separator);
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  columns.count = fields.size();
+  if (columns.count > most_columns) {
+    throw std::invalid_argument("the header has " + std::to_string(columns.count) +
+                                " columns, at most " + std::to_string(most_columns) + " are read");
+  }
+  columns.filter = find_column(fields, filter_column);
+  columns.quantity = find_column(fields, quantity_column);
+  columns.index = needed_column(fields, index_column, header);
+  columns.printed = needed_column(fields, printed_column, header);
+  for (std::size_t place = 0; place < fields.size(); ++place) {
+    const bool is_ours = place == columns.filter || place == columns.quantity ||
+                         place == columns.index || place == columns.printed;
+    if (is_ours) continue;
+    columns.extra.push_back(place);
+    unique_name(fields[place].empty() ? "column " + std::to_string(place + 1) : fields[place],
+                columns.extra_names);
   }
   return columns;
+}
+
+std::vector<std::string> parse_table_row(std::string_view row, const TableColumns& columns) {
+  std::vector<std::string> fields = io::csv_fields(row, columns.separator);
+  while (fields.size() > columns.count && fields.back().empty()) fields.pop_back();
+  if (fields.size() == columns.count) return fields;
+  throw std::invalid_argument("the row has " + std::to_string(fields.size()) +
+                              (fields.size() == 1 ? " field" : " fields") + ", the header has " +
+                              std::to_string(columns.count) + " columns: " + excerpt(row));
+}
+
+std::string unique_name(const std::string& name, std::vector<std::string>& taken) {
+  std::string result = name;
+  for (int i = 2; std::find(taken.begin(), taken.end(), result) != taken.end(); ++i) {
+    result = name + " (" + std::to_string(i) + ")";
+  }
+  taken.push_back(result);
+  return result;
 }
 
 }  // namespace wavecurve::verification

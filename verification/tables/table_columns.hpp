@@ -1,32 +1,37 @@
 #pragma once
 
-#include <map>
-#include <memory>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "verification/tables/judged_column.hpp"
-#include "verification/tables/published_table.hpp"
 
 namespace wavecurve::verification {
 
-/// Filters of a table under their canonical names; a filter's values stay where they are.
-class TableFilters {
- public:
-  /// Throws as find_table_filter does.
-  FilterValues& find(const std::string& name);
-
- private:
-  std::map<std::string, FilterValues*> by_table_name_;
-  std::map<std::string, std::unique_ptr<FilterValues>> by_canonical_name_;
+/// What the header of a table says: where each column stands, and what stands between them.
+struct TableColumns {
+  char separator = ',';  ///< or ';' or a tab
+  std::size_t count = 0;
+  std::optional<std::size_t> filter, quantity;
+  std::size_t index = 0, printed = 0;
+  std::vector<std::size_t> extra;        ///< columns of other names
+  std::vector<std::string> extra_names;  ///< their names, each another one
 };
 
-/// The rows of a table by filter and quantity, each column with the convention that it states or
-/// that is recognised, and each row with the value that it should print under it. `rows` are those
-/// of the table and must outlive the result. A zero that is printed outside the support, as tables
-/// that pad their filters do, is one.
-/// Throws std::invalid_argument "FILE:LINE: ..." as check_table does.
-std::vector<JudgedColumn> table_columns(const PublishedTable& table, std::vector<CheckedRow>& rows,
-                                        TableFilters& filters);
+/// The most columns that a table may have.
+inline constexpr std::size_t most_columns = 64;
+
+/// Reads a header: names in any case and order, "value" for "printed". A separator is the one that
+/// gives most of the known names. Throws std::invalid_argument if index or printed is missing, or a
+/// known name is there twice.
+TableColumns parse_table_columns(std::string_view header);
+
+/// The fields of a row under the header, as many as it has columns; empty ones beyond them, which
+/// spreadsheets leave, are dropped. Throws std::invalid_argument for any other number of fields, and
+/// as io::csv_fields does.
+std::vector<std::string> parse_table_row(std::string_view row, const TableColumns& columns);
+
+/// The name, or "NAME (2)" and so on if it is taken already; it is then taken, too.
+std::string unique_name(const std::string& name, std::vector<std::string>& taken);
 
 }  // namespace wavecurve::verification

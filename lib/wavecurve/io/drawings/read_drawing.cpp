@@ -12,25 +12,14 @@
 
 namespace wavecurve::io {
 
-namespace {
-
-constexpr std::size_t largest_file = std::size_t{256} << 20;
-
-}  // namespace
-
 DrawingFile read_drawing(const std::filesystem::path& path) {
   const std::string ending = lower_case(path.extension().string());
   const auto refuse = [&](std::string_view defect) {
     throw std::invalid_argument(fmt::format("{}: {}", path.string(), defect));
   };
   if (ending != ".svg" && ending != ".csv") refuse("a drawing is read from .svg or .csv");
-  const std::string too_large = fmt::format("larger than {} bytes", largest_file);
-  if (std::filesystem::is_regular_file(path) && std::filesystem::file_size(path) > largest_file) {
-    refuse(too_large);
-  }
-  const std::string bytes = read_file(path, largest_file);
+  const std::string bytes = read_file(path);
   if (bytes.empty()) refuse("the file is empty");
-  if (bytes.size() > largest_file) refuse(too_large);
   try {
     return ending == ".svg" ? read_svg(bytes) : read_points(bytes);
   } catch (const std::invalid_argument& error) {

@@ -68,6 +68,22 @@ TEST_F(Files, ReadNamesWhatItCannotRead) {
   EXPECT_THROW(read_file(folder_), std::invalid_argument);
 }
 
+TEST_F(Files, ReadRefusesWhatIsLargerThanItsBound) {
+  write_file(folder_ / "ten", "0123456789");
+  EXPECT_EQ(read_file(folder_ / "ten", 10).size(), 10U);
+  try {
+    read_file(folder_ / "ten", 9);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), "cannot read " + (folder_ / "ten").string() +
+                                ": it is larger than 9 bytes");
+  }
+  // A device has no size beforehand, and no end.
+  if (fs::exists("/dev/zero")) {
+    EXPECT_THROW(read_file("/dev/zero", 1000), std::invalid_argument);
+  }
+}
+
 TEST_F(Files, FilterJsonIsReadInBothForms) {
   const fs::path path = folder_ / "mine.json";
   write_file(path, R"({"taps": ["0.70710678118654752440", 0.5], "first_index": -1})");

@@ -14,19 +14,21 @@ constexpr std::size_t largest_step = std::size_t{1} << 20;
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path, std::size_t bound) {
-  if (std::filesystem::is_directory(path)) {
-    throw std::invalid_argument("cannot read " + path.string() + ": it is a directory");
-  }
+std::string read_file(const std::filesystem::path& path, std::size_t most) {
+  const auto refuse = [&](const std::string& reason) {
+    throw std::invalid_argument("cannot read " + path.string() + ": " + reason);
+  };
+  const std::string too_large = "it is larger than " + std::to_string(most) + " bytes";
+  if (std::filesystem::is_directory(path)) refuse("it is a directory");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw std::invalid_argument("cannot read " + path.string() + ": " +
-                                std::generic_category().message(errno));
+  if (!file) refuse(std::generic_category().message(errno));
+  if (std::filesystem::is_regular_file(path) && std::filesystem::file_size(path) > most) {
+    refuse(too_large);
   }
   std::string bytes;
-  while (file && bytes.size() <= bound) {
-    const std::size_t size = bytes.size(), step = std::min(bound + 1 - size, largest_step);
+  while (file && bytes.size() <= most) {
+    const std::size_t size = bytes.size(), step = std::min(most - size + 1, largest_step);
     bytes.resize(size + step);
     file.read(bytes.data() + size, static_cast<std::streamsize>(step));
     bytes.resize(size + static_cast<std::size_t>(file.gcount()));
@@ -34,6 +36,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t bound) {
   if (!file && !file.eof()) {
     throw std::system_error(errno, std::generic_category(), "cannot read " + path.string());
   }
+  if (bytes.size() > most) refuse(too_large);
   return bytes;
 }
 

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <string>
 
 namespace wavecurve::io {
 
-/// The bytes of a file; of one that is larger than the bound, or that has no end as a device may,
-/// the first bound + 1. Throws std::invalid_argument naming the path and the reason if it cannot be
-/// opened, also for a directory; std::system_error if reading fails.
-std::string read_file(const std::filesystem::path& path,
-                      std::size_t bound = std::numeric_limits<std::size_t>::max() - 1);
+/// What a reader takes, unless it says otherwise: far beyond any file that people make by hand or by
+/// a program of this kind, and little enough for the memory of any machine.
+inline constexpr std::size_t largest_input = std::size_t{256} << 20;
+
+/// The bytes of a file. Throws std::invalid_argument naming the path and the reason if it cannot be
+/// opened, is a directory, or has more bytes than `most`: of a device or a pipe that has no end so
+/// many are read and no more. Throws std::system_error if reading fails.
+std::string read_file(const std::filesystem::path& path, std::size_t most = largest_input);
 
 }  // namespace wavecurve::io

@@ -14,6 +14,7 @@
 #include "wavecurve/io/files/detail/natural_order.hpp"
 #include "wavecurve/io/files/detail/read_gzip.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/tracks/detail/track_table.hpp"
 #include "wavecurve/motion/gait/record/detail/body_frame.hpp"
 #include "wavecurve/motion/gait/record/detail/skin_joints.hpp"
@@ -26,7 +27,6 @@ namespace {
 using Eigen::Index;
 using Path = std::filesystem::path;
 
-constexpr std::size_t largest_file = std::size_t{256} << 20;
 constexpr Index usual_samples = 256;
 
 enum class Source { table, joints, drawings };
@@ -49,12 +49,12 @@ std::vector<Path> frames_in(const Path& folder) {
 }
 
 TrackTable read_table(const Path& path, const TrackOptions& options) {
-  const std::string text = read_gzip(path, largest_file);
+  const std::string text = read_gzip(path, largest_input);
   const auto refuse = [&](std::string_view defect) {
     throw std::invalid_argument(fmt::format("{}: {}", path.string(), defect));
   };
   if (text.empty()) refuse("the file is empty");
-  if (text.size() > largest_file) refuse(fmt::format("larger than {} bytes", largest_file));
+  if (text.size() > largest_input) refuse(fmt::format("larger than {} bytes", largest_input));
   TrackTable table;
   try {
     table = read_track_table(text, options.limbs);

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <limits>
 #include <spawn.h>
 #include <stdexcept>
 #include <string>
@@ -189,7 +190,8 @@ void write_video(const fs::path& path, const motion::Animation& animation,
   });
   if (!ffmpeg.finish())
     cannot_write_video(EIO, "ffmpeg failed: " + first_line(folder / "complaints"));
-  write_file(path, read_file(folder / "video"));
+  constexpr std::size_t as_it_is = std::numeric_limits<std::size_t>::max() - 1;
+  write_file(path, read_file(folder / "video", as_it_is));
 }
 
 }  // namespace wavecurve::io

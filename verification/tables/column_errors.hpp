@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "verification/tables/printed_number.hpp"
+#include "verification/tables/true_value.hpp"
+
+namespace wavecurve::verification {
+
+/// How far a print is off, as decimal logarithms: numbers of any size have them.
+struct PrintError {
+  double absolute = 0;  ///< of |print - value|
+  double relative = 0;  ///< of |print / value - 1|; minus infinity if the value is zero
+  /// The print is proved wrong, and no single edit of its first digits explains it.
+  bool inaccurate = false;
+};
+
+PrintError error_of(const TrueValue& value, const PrintedNumber& print, bool inaccurate);
+
+/// Is the error of entry `which` one as the column has them all over: are at least a quarter of the
+/// other entries inaccurate and at least a tenth as far off, absolutely or relatively? An edit that
+/// happens to turn such a print into the right number is no evidence of a misprint: among the
+/// numbers that are off by up to 10^k units of the last digit, some 10 k are one edit away.
+bool is_usual_error(std::span<const PrintError> column, std::size_t which);
+
+}  // namespace wavecurve::verification
