@@ -19,7 +19,7 @@ FilterDefinition find_filter(std::string_view name);
 /// The canonical name of a name or alias. Throws as find_filter does.
 std::string canonical_filter_name(std::string_view name);
 
-/// Every canonical name of the finite families; the splines, being infinitely many, up to order 8.
+/// Every canonical name of the finite families; the splines, being infinitely many, up to order 9.
 std::vector<std::string> filter_names();
 
 }  // namespace wavecurve::certified

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/families/halfband_roots.hpp"

@@ -20,7 +20,7 @@ FilterDefinition define_reversed(std::string_view name) {
 }  // namespace
 
 Family reversed_pair_family(const std::vector<Family>& others) {
-  Family family{"rbioD.E, the sides of biorD.E exchanged", {}, {}, {}};
+  Family family{"rbio1.1-rbio6.8 (biorD.E with its sides exchanged)", {}, {}, {}};
   const auto add = [&](const std::string& name) {
     if (!name.starts_with(pair_prefix)) return;
     family.members.push_back(fmt::format("{}{}", reversed_prefix, name.substr(pair_prefix.size())));

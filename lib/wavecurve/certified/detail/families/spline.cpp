@@ -8,7 +8,7 @@ namespace wavecurve::certified {
 
 namespace {
 
-constexpr int highest_listed_order = 8;
+constexpr int highest_listed_order = 9;
 
 /// Taps over sqrt 2, exact. The scaling function is the centred B-spline of order D (degree D - 1),
 /// the dual that of Cohen, Daubechies and Feauveau (1992, section 6.A) with E zeros at pi:
