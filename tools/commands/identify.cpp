@@ -81,11 +81,10 @@ std::string as_text(const std::vector<IdentifiedList>& lists) {
     for (std::size_t m = 0; m < std::min(matches.size(), most_matches); ++m) {
       text += fmt::format("  {}{}\n", m == 0 ? "" : "or ", match_text(matches[m]));
     }
-    if (!matches.empty()) continue;
-    text +=
-        "  no known column; the nearest by the sizes of their entries, divided by the largest:\n";
-    for (const NearMiss& miss : nearest_columns(lists[i].list)) {
-      text += fmt::format("  {} {}: off by {:.2g}\n", miss.column->filter,
+    text += matches.empty() ? "  no known column" : "  no other filter";
+    text += "; the nearest by the sizes of the entries, divided by the largest:\n";
+    for (const NearMiss& miss : nearest_columns(lists[i].list, matches)) {
+      text += fmt::format("    {} {}: off by {:.2g}\n", miss.column->filter,
                           to_string(miss.column->quantity), miss.distance);
     }
   }
@@ -118,14 +117,11 @@ std::string as_json(const std::vector<IdentifiedList>& lists) {
     for (std::size_t m = 0; m < std::min(matches.size(), most_matches); ++m) {
       column["matches"].push_back(as_json(matches[m]));
     }
-    if (matches.empty()) {
-      column["nearest"] = ordered_json::array();
-      for (const NearMiss& miss : nearest_columns(identified.list)) {
-        column["nearest"].push_back(
-            {{"filter", miss.column->filter},
-             {"quantity", to_string(miss.column->quantity)},
-             {"distance", std::stod(fmt::format("{:.3g}", miss.distance))}});
-      }
+    column["nearest"] = ordered_json::array();
+    for (const NearMiss& miss : nearest_columns(identified.list, matches)) {
+      column["nearest"].push_back({{"filter", miss.column->filter},
+                                   {"quantity", to_string(miss.column->quantity)},
+                                   {"distance", std::stod(fmt::format("{:.3g}", miss.distance))}});
     }
     columns.push_back(std::move(column));
   }

@@ -18,6 +18,9 @@ namespace {
 constexpr double relative_tolerance = 2e-5;  // tables that are right to five digits are found
 constexpr int most_half_powers = 4;
 constexpr std::size_t most_candidates = 60;
+/// Some 10^5 entries, ten factors and 10^2 overlays are tried: 10^8 chances. A number that agrees to d
+/// decimal digits does so by chance once in 10^d.
+constexpr double least_evidence = 10;
 
 /// The list as the search sees it.
 struct Query {
@@ -205,6 +208,8 @@ class Overlay {
     const double error = std::abs(query_.values[i] - expected);
     if (error > query_.tolerances[i]) return;
     ++match.matched;
+    const double size = std::abs(query_.values[i]);
+    match.evidence += size > query_.tolerances[i] ? std::log10(size / query_.tolerances[i]) : 0;
     worst = std::max(worst, error);
   }
 
@@ -252,7 +257,8 @@ class Overlay {
 };
 
 bool is_convincing(const Match& match) {
-  return match.matched >= 2 && 3 * match.matched >= 2 * match.of;
+  return match.matched >= 2 && 3 * match.matched >= 2 * match.of &&
+         match.evidence >= least_evidence;
 }
 
 }  // namespace
@@ -264,8 +270,9 @@ std::vector<Match> identify(const NumberList& list) {
   for (const Candidate& candidate : candidates_of(query)) {
     const Match match = Overlay(query, candidate, list.first_index).best();
     if (!is_convincing(match)) continue;
-    const auto same = std::find_if(matches.begin(), matches.end(),
-                                   [&](const Match& m) { return m.column == match.column; });
+    const auto same = std::find_if(matches.begin(), matches.end(), [&](const Match& m) {
+      return m.column->filter == match.column->filter;
+    });
     if (same == matches.end()) {
       matches.push_back(match);
     } else if (is_better(match, *same)) {
@@ -279,7 +286,7 @@ std::vector<Match> identify(const NumberList& list) {
   return matches;
 }
 
-std::vector<NearMiss> nearest_columns(const NumberList& list) {
+std::vector<NearMiss> nearest_columns(const NumberList& list, const std::vector<Match>& matches) {
   /// Magnitudes divided by the largest, that first.
   const auto magnitudes = [](const std::vector<double>& values) {
     std::vector<double> sizes;
@@ -292,6 +299,10 @@ std::vector<NearMiss> nearest_columns(const NumberList& list) {
   const std::vector<double> wanted = magnitudes(query_of(list).values);
   std::vector<NearMiss> misses;
   for (const KnownColumn& column : known_columns()) {
+    const bool is_matched = std::any_of(matches.begin(), matches.end(), [&](const Match& match) {
+      return match.column->filter == column.filter;
+    });
+    if (is_matched) continue;
     const std::vector<double> sizes = magnitudes(column.values.taps);
     double distance = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -19,27 +19,29 @@ struct Match {
   bool scale_is_power = true;  ///< of sqrt 2
   bool in_order = true;        ///< false: the numbers are among the column's, in another order
   int matched = 0, of = 0;
-  double digits = 0;  ///< right in the worst of the matched, relative to the largest of the list
+  double evidence = 0;  ///< decimal digits in which the matched agree, all together
+  double digits = 0;    ///< right in the worst of the matched, relative to the largest of the list
 };
 
 /// The columns that a list may be, the best first: those that have most of its numbers, then the
-/// simplest convention, then most digits. A column is a match if it has at least two of the
-/// numbers, and two thirds of them, each to within two units of its last digit or 2e-5 of itself.
+/// simplest convention, then most digits; one of each filter. A column is a match if it has at least
+/// two of the numbers, and two thirds of them, each to within two units of its last digit or 2e-5 of
+/// itself, and if they agree in ten digits all together, more than chance would give.
 ///
 /// An index over the magnitudes of all known columns, one sorted list for every power of sqrt 2
 /// from 1/4 to 4 and one for the columns divided by their largest entry, gives the candidates; each
 /// is then laid over the list in either direction and at every shift.
 std::vector<Match> identify(const NumberList& list);
 
-/// Where nothing matches: a column, and how far its entries are from the list's where their
+/// A column that is none of the matches, and how far its entries are from the list's where their
 /// magnitudes, largest first and divided by the largest, are compared.
 struct NearMiss {
   const KnownColumn* column = nullptr;
   double distance = 0;
 };
 
-/// The three nearest, the nearest first.
-std::vector<NearMiss> nearest_columns(const NumberList& list);
+/// The three nearest among the filters that do not match, the nearest first: the runners-up.
+std::vector<NearMiss> nearest_columns(const NumberList& list, const std::vector<Match>& matches);
 
 /// "sqrt2", "1/sqrt2", "4", "1.3333": the factor of a match.
 std::string scale_text(const Match& match);

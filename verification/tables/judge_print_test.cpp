@@ -60,16 +60,16 @@ TEST(JudgePrint, SaysHowFarAPaddedPrintIsRight) {
 
 TEST(JudgePrint, MeasuresByTheDigitsThatArePrinted) {
   expect("5.2678571", "5.2", PrintVerdict::agrees_to_digits,
-         "2 of 2 significant digits right; off by less than one unit of its last digit");
+         "2 of 2 significant digits right; the true value cut off instead of rounded");
   expect("5.2678571", "6", PrintVerdict::agrees_to_digits,
          "1 of 1 significant digit right; off by less than one unit of its last digit");
   expect("5.2678571", "5.1", PrintVerdict::discrepant, "1 of 2 significant digits right");
   expect("5.2678571", "5.26785", PrintVerdict::agrees_to_digits,
-         "6 of 6 significant digits right; off by less than one unit of its last digit");
+         "6 of 6 significant digits right; the true value cut off instead of rounded");
   expect("5.2678571", "5.26111111", PrintVerdict::agrees_to_digits,
          "3 of 9 significant digits right");
   expect("0.0007", "0.000", PrintVerdict::agrees_to_digits,
-         "0 of 4 significant digits right; off by less than one unit of its last digit");
+         "0 of 4 significant digits right; the true value cut off instead of rounded");
   expect("0.7", "0", PrintVerdict::discrepant, "0 of 1 significant digit right");
   expect("0", "5.08e-17", PrintVerdict::discrepant, "the true value is exactly zero");
 }
@@ -94,7 +94,7 @@ TEST(JudgePrint, PrefersTheNeighbourOfTheRoundingToPadding) {
   expect("0.634202334431", "0.634202334430", PrintVerdict::agrees_to_digits,
          "11 of 12 significant digits right; one unit in the last digit is a rounding difference");
   expect("0.6342023344308", "0.634202334430", PrintVerdict::agrees_to_digits,
-         "12 of 12 significant digits right; off by less than one unit of its last digit");
+         "12 of 12 significant digits right; the true value cut off instead of rounded");
 }
 
 TEST(JudgePrint, ShowsAFractionBesideAFraction) {
