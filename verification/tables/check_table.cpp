@@ -30,15 +30,17 @@ void drop_chance_repairs(std::vector<JudgedRow>& rows) {
   const auto keeps_digits = [](const JudgedRow& row) {
     return row.repair->repaired.significand() == row.result.entry.number.significand();
   };
-  std::vector<PrintError> errors;
-  for (const JudgedRow& row : rows) {
-    const bool inaccurate = row.wrong && (!row.repair || row.repair->only_last_digit);
-    errors.push_back(row.wrong ? error_of(row.value, row.result.entry.number, inaccurate)
-                               : PrintError{});
-  }
+  std::vector<PrintError> errors(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    JudgedRow& row = rows[i];
-    if (row.repair && !keeps_digits(row) && is_usual_error(errors, i)) row.repair.reset();
+    const JudgedRow& row = rows[i];
+    if (!row.wrong || row.result.entry.number.is_fraction()) continue;
+    const bool inaccurate = !row.repair || row.repair->only_last_digit;
+    errors[i] = error_of(row.value, row.result.entry.number, inaccurate);
+  }
+  const ColumnErrors all(errors);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::optional<Repair>& repair = rows[i].repair;
+    if (repair && !keeps_digits(rows[i]) && all.are_usual_as(errors[i])) repair.reset();
   }
 }
 

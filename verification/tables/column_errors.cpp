@@ -16,19 +16,27 @@ PrintError error_of(const TrueValue& value, const PrintedNumber& print, bool ina
   return {absolute, relative, inaccurate};
 }
 
-bool is_usual_error(std::span<const PrintError> column, std::size_t which) {
-  constexpr double a_tenth = -1;  // as a logarithm
-  constexpr std::size_t a_quarter = 4;
-  const PrintError& own = column[which];
-  std::size_t as_far_off = 0;
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    const PrintError& other = column[i];
-    if (i == which || !other.inaccurate) continue;
-    const bool is_as_far_off =
-        other.absolute >= own.absolute + a_tenth || other.relative >= own.relative + a_tenth;
-    as_far_off += is_as_far_off ? 1 : 0;
+ColumnErrors::ColumnErrors(std::span<const PrintError> errors)
+    : entries_(static_cast<std::ptrdiff_t>(errors.size())) {
+  for (const PrintError& error : errors) {
+    if (!error.inaccurate) continue;
+    absolute_.push_back(error.absolute);
+    relative_.push_back(error.relative);
   }
-  return as_far_off > 0 && a_quarter * as_far_off >= column.size() - 1;
+  std::sort(absolute_.begin(), absolute_.end());
+  std::sort(relative_.begin(), relative_.end());
+}
+
+bool ColumnErrors::are_usual_as(const PrintError& own) const {
+  constexpr double a_tenth = -1;  // as a logarithm
+  constexpr std::ptrdiff_t a_quarter = 4;
+  const auto at_least = [](const std::vector<double>& sorted, double bound) {
+    return sorted.end() - std::lower_bound(sorted.begin(), sorted.end(), bound);
+  };
+  const auto as_far_off = std::max(at_least(absolute_, own.absolute + a_tenth),
+                                   at_least(relative_, own.relative + a_tenth)) -
+                          (own.inaccurate ? 1 : 0);
+  return as_far_off > 0 && a_quarter * as_far_off >= entries_ - 1;
 }
 
 }  // namespace wavecurve::verification

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "verification/tables/printed_number.hpp"
 #include "verification/tables/true_value.hpp"
@@ -18,10 +19,21 @@ struct PrintError {
 
 PrintError error_of(const TrueValue& value, const PrintedNumber& print, bool inaccurate);
 
-/// Is the error of entry `which` one as the column has them all over: are at least a quarter of the
-/// other entries inaccurate and at least a tenth as far off, absolutely or relatively? An edit that
-/// happens to turn such a print into the right number is no evidence of a misprint: among the
-/// numbers that are off by up to 10^k units of the last digit, some 10 k are one edit away.
-bool is_usual_error(std::span<const PrintError> column, std::size_t which);
+/// The errors of a column, for the question whether an edit is evidence of a misprint.
+class ColumnErrors {
+ public:
+  /// One for each entry of the column.
+  explicit ColumnErrors(std::span<const PrintError> errors);
+
+  /// Is this entry's error one as the column has them all over: are at least a quarter of the others
+  /// inaccurate and at least a tenth as far off, absolutely or relatively? An edit that happens to
+  /// turn such a print into the right number is no evidence: among the numbers that are off by up
+  /// to 10^k units of the last digit, some 10 k are one edit away.
+  bool are_usual_as(const PrintError& own) const;
+
+ private:
+  std::vector<double> absolute_, relative_;  ///< of the inaccurate entries, sorted
+  std::ptrdiff_t entries_;
+};
 
 }  // namespace wavecurve::verification

@@ -28,7 +28,7 @@ TEST(ColumnErrors, AreUsualIfAQuarterOfTheOthersIsAsFarOff) {
   const PrintError own{-6, -5, false};
   const auto is_usual = [&](std::vector<PrintError> others) {
     others.insert(others.begin() + 1, own);
-    return is_usual_error(others, 1);
+    return ColumnErrors(others).are_usual_as(own);
   };
   EXPECT_FALSE(is_usual({right, right, right, right}));
   EXPECT_TRUE(is_usual({off_by(-6.9, -9), right, right, right}));
@@ -38,9 +38,9 @@ TEST(ColumnErrors, AreUsualIfAQuarterOfTheOthersIsAsFarOff) {
   EXPECT_FALSE(is_usual({{-6, -5, false}, {-3, -2, false}})) << "explained by edits";
 }
 
-TEST(ColumnErrors, SayNothingOfACopyThatStandsAlone) {
-  const std::vector<PrintError> alone{{-6, -5, false}};
-  EXPECT_FALSE(is_usual_error(alone, 0));
+TEST(ColumnErrors, SayNothingOfAnEntryThatStandsAlone) {
+  const std::vector<PrintError> alone{{-6, -5, true}};
+  EXPECT_FALSE(ColumnErrors(alone).are_usual_as(alone[0]));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 /// What stands in a text and what it becomes.
 using Replacement = std::pair<std::string_view, std::string_view>;
 
-/// Of two that begin alike the longer comes first.
+/// The longer of two that begin alike comes first.
 constexpr Replacement tex_commands[] = {
     {"\\times", "*"}, {"\\cdot", "*"},      {"\\tfrac", ""}, {"\\dfrac", ""}, {"\\frac", ""},
     {"\\num", ""},    {"\\thinspace", " "}, {"\\,", " "},    {"\\;", " "},    {"\\:", " "},

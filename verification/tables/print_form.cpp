@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace wavecurve::verification {
 
 using certified::Ball;
@@ -68,6 +70,21 @@ std::optional<PrintedNumber> fixed_with_digits(const TrueValue& value, int digit
   const auto rounded = round_to_digits(value, digits);
   if (!rounded || rounded->is_zero() || rounded->decimals() < 0) return std::nullopt;
   return round_to_decimals(value, rounded->decimals());
+}
+
+/// The power of ten of the first significant digit; nothing for zero. Sixteen digits, or twenty, tell
+/// it; what rounds up to the next power of ten counts as that.
+std::optional<int> place_of_first_digit(const TrueValue& value) {
+  const double magnitude = std::abs(value.to_double());
+  constexpr double normal = std::numeric_limits<double>::min();
+  if (magnitude >= normal && std::isfinite(magnitude)) {
+    const std::string text = fmt::format("{:.15e}", magnitude);
+    return std::stoi(text.substr(text.find('e') + 1));
+  }
+  constexpr int enough = 20;
+  const auto rounded = round_to_digits(value, enough);
+  if (!rounded || rounded->is_zero()) return std::nullopt;
+  return static_cast<int>(rounded->significand().size()) - rounded->decimals() - 1;
 }
 
 }  // namespace
@@ -142,11 +159,10 @@ std::vector<PrintedNumber> intended_prints(const TrueValue& value, const Printed
 }
 
 int correct_digits(const TrueValue& value, const PrintedNumber& print) {
-  constexpr int enough = 20;  // to know the leading digit's place
-  const auto rounded = round_to_digits(value, enough);
-  if (!rounded || rounded->is_zero() || print.is_zero()) return 0;
-  const int first_place = static_cast<int>(rounded->significand().size()) - rounded->decimals() - 1;
-  const double error = distance(value, print, power_of_ten(first_place));
+  if (print.is_zero()) return 0;
+  const std::optional<int> place = place_of_first_digit(value);
+  if (!place) return 0;
+  const double error = distance(value, print, power_of_ten(*place));
   const int printed_digits = print.is_fraction()
                                  ? static_cast<int>(print.digits.size() + print.denominator.size())
                                  : print.significant_digits();

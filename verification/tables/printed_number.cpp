@@ -297,6 +297,12 @@ certified::Rational PrintedNumber::unit() const {
 }
 
 double PrintedNumber::to_double() const {
+  const std::string decimal = is_fraction() ? "" : text();
+  double nearest = 0;
+  const auto [end, error] =
+      std::from_chars(decimal.data(), decimal.data() + decimal.size(), nearest);
+  if (error == std::errc()) return nearest;
+  // A fraction, or beyond the range of a double.
   constexpr long more_than_a_double = 128;
   const certified::WorkingPrecision precision(more_than_a_double);
   return certified::Ball(value()).to_double();

@@ -42,7 +42,7 @@ struct PrintedNumber {
   std::string text() const;
 
   certified::Rational value() const;
-  /// Of the last digit; zero for a fraction.
+  /// The unit of the last digit; zero for a fraction.
   certified::Rational unit() const;
   /// The double nearest the value.
   double to_double() const;

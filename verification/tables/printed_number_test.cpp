@@ -1,6 +1,7 @@
 #include "verification/tables/printed_number.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +43,15 @@ TEST(PrintedNumber, TakesWhatTypesettersPrint) {
                 .value(),
             Rational(-1, 2));
   EXPECT_EQ(parse_printed_number("3.").decimals(), 0);
+}
+
+TEST(PrintedNumber, GivesTheNearestDouble) {
+  EXPECT_EQ(parse_printed_number("0.1").to_double(), 0.1);
+  EXPECT_EQ(parse_printed_number("-1.2d-7").to_double(), -1.2e-7);
+  EXPECT_EQ(parse_printed_number("9007199254740993").to_double(), 9007199254740992.0);
+  EXPECT_EQ(parse_printed_number("1/3").to_double(), 1.0 / 3);
+  EXPECT_EQ(parse_printed_number("1e-400").to_double(), 0);
+  EXPECT_EQ(parse_printed_number("-1e400").to_double(), -std::numeric_limits<double>::infinity());
 }
 
 TEST(PrintedNumber, TellsABareZeroFromAZeroWithDecimals) {

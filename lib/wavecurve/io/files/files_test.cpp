@@ -75,8 +75,8 @@ TEST_F(Files, ReadRefusesWhatIsLargerThanItsBound) {
     read_file(folder_ / "ten", 9);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(error.what(), "cannot read " + (folder_ / "ten").string() +
-                                ": it is larger than 9 bytes");
+    EXPECT_EQ(error.what(),
+              "cannot read " + (folder_ / "ten").string() + ": it is larger than 9 bytes");
   }
   // A device has no size beforehand, and no end.
   if (fs::exists("/dev/zero")) {
