@@ -132,7 +132,7 @@ void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route
   if (is_cut_off(row.value, result.entry.number.value(), result.entry.number.decimals()) ==
       Decision::yes) {
     result.detail += "; the true value cut off instead of rounded";
-  } else if (result.ulps <= 1.5) {
+  } else if (result.ulps <= 1.5 && !row.value.is_exactly_zero()) {
     result.detail += "; one unit in the last digit is a rounding difference";
   }
 }

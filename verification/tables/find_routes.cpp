@@ -138,7 +138,7 @@ CheckedHabit checked_habit(const TableHabit& habit, const std::vector<JudgedColu
     result.of += static_cast<int>(best.yields_print.size());
     for (std::size_t i = 0; i < best.yields_print.size(); ++i) {
       const JudgedRow& row = columns[c].rows[i];
-      if (best.yields_print[i] || row.repair) continue;
+      if (best.yields[i]) continue;
       result.exceptions.push_back(
           fmt::format("{}_{}", name_of(columns[c]), row.result.entry.index));
     }

@@ -18,6 +18,7 @@ struct DecimalTaps {
   std::string name;
   std::vector<Rational> numbers;
   Quantity normalization = Quantity::taps;
+  int decimals = 0;  ///< that the true taps were rounded to; 0 for a published table
 };
 
 /// What was done to a table: its numbers times the root of a rational number.
@@ -37,7 +38,7 @@ std::vector<DecimalTaps> decimal_taps(const RouteInput& input) {
   std::vector<DecimalTaps> tables;
   if (const auto& published = input.published_taps) {
     tables.push_back(
-        {"the taps of " + published->name, published->numbers, published->normalization});
+        {"the taps of " + published->name, published->numbers, published->normalization, 0});
   }
   for (int decimals = most_tap_decimals; decimals >= fewest_tap_decimals; --decimals) {
     for (const Quantity normalization :
@@ -45,7 +46,8 @@ std::vector<DecimalTaps> decimal_taps(const RouteInput& input) {
       DecimalTaps table{std::string(to_string(normalization)) + " rounded to " +
                             std::to_string(decimals) + " decimals",
                         {},
-                        normalization};
+                        normalization,
+                        decimals};
       for (const TrueValue& tap : input.taps) {
         const TrueValue scaled = times_root(tap, squared_sum(normalization) / Rational(2));
         const auto rounded = round_to_decimals(scaled, decimals);
@@ -98,7 +100,9 @@ std::vector<Route> tap_rules(Quantity column, const RouteInput& input) {
         numbers.push_back(times_root({number, {}}, scaling.squared_factor));
       }
       exact.push_back(rule(table.name + scaling.words, std::move(numbers)));
-      computed.push_back(in_double_arithmetic(exact.back(), scaling.operations));
+      if (table.decimals <= most_decimals_in_doubles) {
+        computed.push_back(in_double_arithmetic(exact.back(), scaling.operations));
+      }
     }
   }
   std::move(computed.begin(), computed.end(), std::back_inserter(exact));
