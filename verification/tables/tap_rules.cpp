@@ -34,6 +34,27 @@ Rational squared_sum(Quantity normalization) {
   return Rational(2);
 }
 
+/// The true taps so rounded; nothing if that is undecided, or changes none of them.
+std::optional<DecimalTaps> rounded_taps(const std::vector<TrueValue>& taps, Quantity normalization,
+                                        int decimals) {
+  DecimalTaps table{std::string(to_string(normalization)) + " rounded to " +
+                        std::to_string(decimals) + " decimals",
+                    {},
+                    normalization,
+                    decimals};
+  bool changed = false;
+  for (const TrueValue& tap : taps) {
+    const TrueValue scaled = times_root(tap, squared_sum(normalization) / Rational(2));
+    const auto rounded = round_to_decimals(scaled, decimals);
+    if (!rounded) return std::nullopt;
+    table.numbers.push_back(rounded->value());
+    const Approximation before = approximate(scaled);
+    const Approximation after = approximate({table.numbers.back(), {}});
+    changed = changed || apart(before, after) > before.error + after.error;
+  }
+  return changed ? std::optional(std::move(table)) : std::nullopt;
+}
+
 std::vector<DecimalTaps> decimal_taps(const RouteInput& input) {
   std::vector<DecimalTaps> tables;
   if (const auto& published = input.published_taps) {
@@ -43,18 +64,9 @@ std::vector<DecimalTaps> decimal_taps(const RouteInput& input) {
   for (int decimals = most_tap_decimals; decimals >= fewest_tap_decimals; --decimals) {
     for (const Quantity normalization :
          {Quantity::taps, Quantity::taps_sum_1, Quantity::taps_sum_2}) {
-      DecimalTaps table{std::string(to_string(normalization)) + " rounded to " +
-                            std::to_string(decimals) + " decimals",
-                        {},
-                        normalization,
-                        decimals};
-      for (const TrueValue& tap : input.taps) {
-        const TrueValue scaled = times_root(tap, squared_sum(normalization) / Rational(2));
-        const auto rounded = round_to_decimals(scaled, decimals);
-        if (!rounded) break;
-        table.numbers.push_back(rounded->value());
+      if (auto table = rounded_taps(input.taps, normalization, decimals)) {
+        tables.push_back(*std::move(table));
       }
-      if (table.numbers.size() == input.taps.size()) tables.push_back(std::move(table));
     }
   }
   return tables;

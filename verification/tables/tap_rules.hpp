@@ -12,7 +12,7 @@ inline constexpr int fewest_tap_decimals = 6, most_tap_decimals = 20, most_decim
 
 /// The routes to a column of taps in this normalization that start from a table of decimals: the
 /// published one, or the true taps in one of the three normalizations, correctly rounded (proved)
-/// to fewest_tap_decimals .. most_tap_decimals. It is taken as it stands and scaled by a power of
+/// to fewest_tap_decimals .. most_tap_decimals, where that changes them. It is taken as it stands and scaled by a power of
 /// sqrt 2, or divided by its sum, or by its Euclidean norm (orthonormal filters only).
 ///
 /// As a rounding rule its numbers r sqrt(q), with r and q rational,
