@@ -1,5 +1,7 @@
 #include "verification/tables/null_vector_routes.hpp"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "verification/tables/route_chance.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 

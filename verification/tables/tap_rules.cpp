@@ -1,10 +1,11 @@
 #include "verification/tables/tap_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
-#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace wavecurve::verification {
 
