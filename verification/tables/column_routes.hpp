@@ -30,6 +30,7 @@ struct RouteScore {
   double chance = 1;     ///< that an unrelated computation of the same accuracy
                          ///< yields as many; 1 if it does not explain the column
   std::vector<bool> yields_print;  ///< for each entry, without an edit
+  std::vector<bool> yields;        ///< up to the edit of a misprint
 
   /// It yields all of the column's entries but one in eight.
   bool explains() const;

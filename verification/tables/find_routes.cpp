@@ -157,7 +157,7 @@ CheckedHabit checked_habit(const TableHabit& habit, const std::vector<JudgedColu
     result.of += static_cast<int>(best.yields_print.size());
     std::size_t explained = 0;
     for (const JudgedRow& row : columns[c].rows) {
-      if (!row.may_have_a_route() || best.yields_print[explained++] || row.repair) continue;
+      if (!row.may_have_a_route() || best.yields[explained++]) continue;
       result.exceptions.push_back(
           fmt::format("{}_{}", name_of(columns[c]), row.result.entry.index.text()));
     }

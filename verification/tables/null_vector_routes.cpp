@@ -1,5 +1,6 @@
 #include "verification/tables/null_vector_routes.hpp"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -89,13 +90,17 @@ struct Amplification {
   MatrixXd equations, inverse;
 };
 
+bool is_by_elimination(NullVector kind) {
+  return kind == NullVector::constrained || kind == NullVector::without_equation;
+}
+
 /// The inverse of (m - lambda) y = r with the scale of y kept, x being the vector for lambda.
 MatrixXd bordered_inverse(const MatrixXd& m, const VectorXd& x) {
   const Index n = m.rows();
   const double lambda = x.dot(m * x) / x.squaredNorm();
   MatrixXd bordered(n + 1, n + 1);
   bordered << m - lambda * MatrixXd::Identity(n, n), x, VectorXd::Unit(n, 0).transpose(), 0.0;
-  return MatrixXd(bordered.fullPivLu().inverse()).topLeftCorner(n, n);
+  return MatrixXd(bordered.partialPivLu().inverse()).topLeftCorner(n, n);
 }
 
 MatrixXd pseudoinverse(const MatrixXd& m) {
@@ -105,7 +110,7 @@ MatrixXd pseudoinverse(const MatrixXd& m) {
 Amplification amplification(const MatrixXd& a, const VectorXd& x, const NullVectorRoute& route) {
   const Index n = a.cols();
   const auto of_square = [](const MatrixXd& m) {
-    return Amplification{m, m.fullPivLu().inverse()};
+    return Amplification{m, m.partialPivLu().inverse()};
   };
   switch (route.kind) {
     case NullVector::eigenvector:
@@ -149,21 +154,26 @@ VectorXd coefficient_errors(const Quantity& quantity, const VectorXd& alpha,
   const MatrixXd a = two_scale_matrix(alpha);
   const VectorXd x = null_vector(alpha, route), magnitudes = x.cwiseAbs();
   const auto [equations, inverse] = amplification(a, x, route);
-  const double n = static_cast<double>(x.size());
-  VectorXd residual =
-      n * std::numeric_limits<double>::epsilon() * (equations.cwiseAbs() * magnitudes);
+  const double n_eps = static_cast<double>(x.size()) * std::numeric_limits<double>::epsilon();
   // A is alpha's entries and constants.
   const MatrixXd uncertain =
       two_scale_matrix(alpha_errors) - two_scale_matrix(VectorXd::Zero(alpha.size()));
-  residual.head(x.size()) += uncertain.cwiseAbs() * magnitudes;
-  const VectorXd errors = inverse.cwiseAbs() * residual;
+  VectorXd residual = VectorXd::Zero(equations.rows());
+  residual.head(x.size()) = uncertain.cwiseAbs() * magnitudes;
+  VectorXd errors = VectorXd::Zero(x.size());
+  if (is_by_elimination(route.kind)) {
+    residual += n_eps * (equations.cwiseAbs() * magnitudes);
+  } else {
+    errors = inverse.rowwise().norm() * (n_eps * equations.norm() * x.norm());
+  }
+  errors += inverse.cwiseAbs() * residual;
 
   const ColumnMap column = column_map(quantity, x.size());
   const double scale = column.scale.dot(x);
   const double scale_error = column.scale.cwiseAbs().dot(errors);
-  const VectorXd mapped = column.map * x;
+  const VectorXd mapped = (column.map * x).cwiseAbs();
   return std::abs(column.constant / scale) *
-         (column.map.cwiseAbs() * errors + mapped.cwiseAbs() * (scale_error / std::abs(scale)));
+         (column.map.cwiseAbs() * errors + mapped * (scale_error / std::abs(scale) + n_eps));
 }
 
 }  // namespace wavecurve::verification

@@ -32,12 +32,17 @@ std::optional<Eigen::VectorXd> coefficient_column(const Quantity& quantity,
                                                   const Eigen::VectorXd& alpha,
                                                   const NullVectorRoute& route);
 
-/// Bounds of the rounding errors of coefficient_column, entry by entry, to first order. The model
-/// is the usual one of backward stable programs, entry by entry: the n unknowns x satisfy their
-/// equations up to the residual n eps |M| |x|, where M are the equations that the route solves, and
-/// an alpha known up to delta adds A(delta) |x|. What solves them, the inverse (for least squares
-/// the pseudoinverse, for an eigenvector or singular vector that of the system bordered by its
-/// scale), carries the residual to x; scaling, (3.14) and the quotient follow.
+/// Bounds of the rounding errors of coefficient_column, entry by entry, to first order in eps =
+/// 2^-52. The model is that of backward stable programs: the n unknowns x satisfy the equations M
+/// that the route solves up to a residual r,
+///
+///   |r_i| <= n eps (|M| |x|)_i     by elimination (constrained, without_equation),
+///   |r|_2 <= n eps |M|_F |x|_2     by orthogonal transformations and iterations (all others),
+///
+/// and an alpha known up to delta adds A(delta) |x|. The inverse of M (for least squares the
+/// pseudoinverse, for an eigenvector or singular vector the inverse of the system bordered by its
+/// scale) carries r to x. Scaling, (3.14) and the quotient follow, and n eps of each value for
+/// their own rounding.
 Eigen::VectorXd coefficient_errors(const Quantity& quantity, const Eigen::VectorXd& alpha,
                                    const Eigen::VectorXd& alpha_errors,
                                    const NullVectorRoute& route);

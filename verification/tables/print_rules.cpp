@@ -1,5 +1,8 @@
 #include "verification/tables/print_rules.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "wavecurve/certified/rounding.hpp"
 
 namespace wavecurve::verification {

@@ -17,16 +17,19 @@ double median(std::vector<double> values) {
 }  // namespace
 
 std::vector<double> chance_of_each(std::span<const EntryError> entries) {
-  std::vector<double> relative, absolute;
+  std::vector<double> in_units, absolute, relative;
   for (const EntryError& entry : entries) {
     if (entry.distance == 0) continue;
-    relative.push_back(entry.distance);
+    in_units.push_back(entry.distance);
     absolute.push_back(entry.distance * entry.unit);
+    if (entry.magnitude > 0) relative.push_back(absolute.back() / entry.magnitude);
   }
-  const double typical_units = 2 * median(relative), typical_error = 2 * median(absolute);
+  const double units = 2 * median(in_units), error = 2 * median(absolute);
+  const double relative_error = 2 * median(relative);
   std::vector<double> result;
   for (const EntryError& entry : entries) {
-    const double typical = std::min(typical_units, typical_error / entry.unit);
+    const double typical =
+        std::min({units, error / entry.unit, relative_error * entry.magnitude / entry.unit});
     const double range = std::max(entry.distance, typical);
     const bool says_nothing = entry.distance == 0;
     result.push_back(says_nothing ? 1 : std::min(1.0, (1 + 2 * entry.allowance) / (2 * range)));

@@ -19,6 +19,7 @@ struct EntryError {
   double distance = 0;   ///< |print - true value| in units of the print's last digit
   double unit = 0;       ///< that unit
   double allowance = 0;  ///< for rounding errors, in that unit
+  double magnitude = 0;  ///< |print|
 };
 
 /// For each entry the probability that an unrelated computation of the same accuracy yields the
@@ -27,9 +28,10 @@ struct EntryError {
 ///
 ///   p = min(1, (1 + 2 allowance) / (2 R)),   R = max(distance, what is typical of the column),
 ///
-/// twice the median of the column's distances being typical (the median of a uniform error is R/2),
-/// in last units or in absolute terms, whichever is less. An entry that is exactly right says
-/// nothing, p = 1. Where the true range is wider than R the probability is overestimated.
+/// twice the median of the column's distances being typical (the median of a uniform error is R/2):
+/// in last units, in absolute terms or relative to the entry, whichever is least. An entry that is
+/// exactly right says nothing, p = 1. Where the true range is wider than R the probability is
+/// overestimated.
 std::vector<double> chance_of_each(std::span<const EntryError> entries);
 
 /// The probability that at least `least` of independent events happen, these being their

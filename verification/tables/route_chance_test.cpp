@@ -1,6 +1,7 @@
 #include "verification/tables/route_chance.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,20 +21,30 @@ TEST(RouteChance, OfAtLeastSoManyEventsIsTheBinomialTail) {
 
 TEST(RouteChance, OfAnEntryIsOneInTheWidthOfItsError) {
   // Twice the median is 4 units; the first is farther away, the last exactly right.
-  const std::vector<EntryError> entries{{50, 1e-9, 0}, {2, 1e-9, 0}, {0.5, 1e-9, 0},
-                                        {3, 1e-9, 1},  {1, 1e-9, 0}, {0, 1e-9, 0}};
+  const std::vector<EntryError> entries{{50, 1e-9, 0, 1}, {2, 1e-9, 0, 1}, {0.5, 1e-9, 0, 1},
+                                        {3, 1e-9, 1, 1},  {1, 1e-9, 0, 1}, {0, 1e-9, 0, 1}};
   const std::vector<double> chances = chance_of_each(entries);
   EXPECT_DOUBLE_EQ(chances[0], 0.01);
   EXPECT_DOUBLE_EQ(chances[1], 1.0 / 8);
   EXPECT_DOUBLE_EQ(chances[2], 1.0 / 8);
   EXPECT_DOUBLE_EQ(chances[3], 3.0 / 8);
+  EXPECT_DOUBLE_EQ(chances[4], 1.0 / 8);
   EXPECT_DOUBLE_EQ(chances[5], 1);
 }
 
-TEST(RouteChance, TakesTheCoarserOfTwoMeasuresOfAccuracy) {
-  // One print has three decimals more: what is typical in its last units says too little.
-  const std::vector<EntryError> entries{{2, 1e-6, 0}, {2, 1e-6, 0}, {0.25, 1e-6, 0}, {2, 1e-9, 0}};
-  EXPECT_DOUBLE_EQ(chance_of_each(entries)[2], 1.0);
+TEST(RouteChance, TakesTheFinestMeasureOfAccuracy) {
+  // One print has three decimals more: what is typical in last units says too much about the rest.
+  const std::vector<EntryError> mixed{
+      {2, 1e-6, 0, 1}, {2, 1e-6, 0, 1}, {0.25, 1e-6, 0, 1}, {2, 1e-9, 0, 1}, {1, 1e-9, 0, 1}};
+  EXPECT_DOUBLE_EQ(chance_of_each(mixed)[2], 1.0);
+  // Errors as large as the entries: that the small ones are accurate is no accident.
+  const std::vector<EntryError> relative{{100, 1e-9, 0, 1},
+                                         {100, 1e-9, 0, 1},
+                                         {90, 1e-9, 0, 1},
+                                         {0.2, 1e-9, 0, 1e-3},
+                                         {0.1, 1e-9, 0, 1e-3}};
+  EXPECT_DOUBLE_EQ(chance_of_each(relative)[3], 1.0);
+  EXPECT_DOUBLE_EQ(chance_of_each(relative)[0], 1.0 / 360);
 }
 
 TEST(RouteChance, CountsTheWaysToChoose) {

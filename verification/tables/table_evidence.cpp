@@ -28,13 +28,14 @@ Table row_table(const CheckedTable& table) {
 }
 
 Table column_table(const CheckedTable& table) {
-  Table result{"The computation that yields most entries of each column",
-               {"column", "computation", "entries", "of these after an edit", "of"},
+  Table result{"The computation that explains each column",
+               {"column", "computation", "entries", "of these after an edit", "of", "chance"},
                {}};
   for (const CheckedColumn& column : table.columns) {
     result.rows.push_back({std::string(to_string(column.quantity)), column.route,
                            std::to_string(column.matched), std::to_string(column.after_edit),
-                           std::to_string(column.of)});
+                           std::to_string(column.of),
+                           column.credited ? fmt::format("{:.1g}", column.chance) : ""});
   }
   return result;
 }

@@ -12,7 +12,7 @@ namespace wavecurve::verification {
 /// Every row: print, certified value, distance, verdict, detail.
 Table row_table(const CheckedTable& table);
 
-/// Every column with its best route.
+/// Every column with its route, and the chance of that.
 Table column_table(const CheckedTable& table);
 
 /// The routes tried for a column whose names start with `start`, those that come nearest first, at

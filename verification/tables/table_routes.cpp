@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "verification/tables/route_chance.hpp"
 
@@ -104,10 +103,7 @@ std::vector<std::optional<CreditedRoute>> credit_routes(const std::vector<Column
           credit = {route, habit.chance, habit.name, habit.explained.size()};
         }
       }
-      const auto rank = [&](const CreditedRoute& of) {
-        return std::pair(columns[c][of.route].matched, of.columns);
-      };
-      const bool is_best = !credits[c] || rank(credit) > rank(*credits[c]);
+      const bool is_best = !credits[c] || score.matched > columns[c][credits[c]->route].matched;
       if (credit.chance < credible_chance && is_best) credits[c] = credit;
     }
   }

@@ -40,7 +40,7 @@ std::vector<TableHabit> find_habits(const std::vector<ColumnScores>& columns);
 
 /// For each column the credited route, if there is one: of those that explain it, yield a wrong
 /// entry and more entries than the true values do, and whose chance is below credible_chance, the
-/// one that yields most, of equals the one whose chance is for most columns, then the first. A column's own chance is multiplied by the number of
+/// one that yields most, the first of equals. A column's own chance is multiplied by the number of
 /// computations tried for it.
 std::vector<std::optional<CreditedRoute>> credit_routes(const std::vector<ColumnScores>& columns,
                                                         const std::vector<TableHabit>& habits);

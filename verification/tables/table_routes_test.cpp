@@ -1,5 +1,10 @@
 #include "verification/tables/table_routes.hpp"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "verification/tables/route_chance.hpp"

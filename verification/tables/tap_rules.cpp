@@ -1,10 +1,11 @@
 #include "verification/tables/tap_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
-#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace wavecurve::verification {
 
@@ -18,6 +19,7 @@ struct DecimalTaps {
   std::string name;
   std::vector<Rational> numbers;
   Quantity normalization;
+  int decimals = 0;  ///< that the true taps were rounded to; 0 for a published table
 };
 
 /// What was done to a table: its numbers times the root of a rational number.
@@ -33,26 +35,39 @@ Rational squared_sum(const Quantity& normalization) {
   return Rational(2);
 }
 
+/// The true taps so rounded; nothing if that is undecided, or changes none of them.
+std::optional<DecimalTaps> rounded_taps(const std::vector<TrueValue>& taps, const Quantity& normalization,
+                                        int decimals) {
+  DecimalTaps table{to_string(normalization) + " rounded to " +
+                        std::to_string(decimals) + " decimals",
+                    {},
+                    normalization,
+                    decimals};
+  bool changed = false;
+  for (const TrueValue& tap : taps) {
+    const TrueValue scaled = times_root(tap, squared_sum(normalization) / Rational(2));
+    const auto rounded = round_to_decimals(scaled, decimals);
+    if (!rounded) return std::nullopt;
+    table.numbers.push_back(rounded->value());
+    const Approximation before = approximate(scaled);
+    const Approximation after = approximate({table.numbers.back(), {}});
+    changed = changed || apart(before, after) > before.error + after.error;
+  }
+  return changed ? std::optional(std::move(table)) : std::nullopt;
+}
+
 std::vector<DecimalTaps> decimal_taps(const RouteInput& input) {
   std::vector<DecimalTaps> tables;
   if (const auto& published = input.published_taps) {
     tables.push_back(
-        {"the taps of " + published->name, published->numbers, published->normalization});
+        {"the taps of " + published->name, published->numbers, published->normalization, 0});
   }
   for (int decimals = most_tap_decimals; decimals >= fewest_tap_decimals; --decimals) {
     for (const Quantity& normalization :
          {Quantity::taps, Quantity::taps_sum_1, Quantity::taps_sum_2}) {
-      DecimalTaps table{
-          to_string(normalization) + " rounded to " + std::to_string(decimals) + " decimals",
-          {},
-          normalization};
-      for (const TrueValue& tap : input.taps) {
-        const TrueValue scaled = times_root(tap, squared_sum(normalization) / Rational(2));
-        const auto rounded = round_to_decimals(scaled, decimals);
-        if (!rounded) break;
-        table.numbers.push_back(rounded->value());
+      if (auto table = rounded_taps(input.taps, normalization, decimals)) {
+        tables.push_back(*std::move(table));
       }
-      if (table.numbers.size() == input.taps.size()) tables.push_back(std::move(table));
     }
   }
   return tables;
@@ -98,7 +113,9 @@ std::vector<Route> tap_rules(const Quantity& column, const RouteInput& input) {
         numbers.push_back(times_root({number, {}}, scaling.squared_factor));
       }
       exact.push_back(rule(table.name + scaling.words, std::move(numbers)));
-      computed.push_back(in_double_arithmetic(exact.back(), scaling.operations));
+      if (table.decimals <= most_decimals_in_doubles) {
+        computed.push_back(in_double_arithmetic(exact.back(), scaling.operations));
+      }
     }
   }
   std::move(computed.begin(), computed.end(), std::back_inserter(exact));

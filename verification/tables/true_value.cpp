@@ -55,10 +55,11 @@ Approximation approximate(const TrueValue& value) {
   const WorkingPrecision precision(first_bits + guard_bits);
   const Ball x = value.exact ? Ball(*value.exact) : value.enclosure(first_bits);
   const double head = x.to_double();
-  const double tail = (x - Ball::from_double(head)).to_double();
+  const Ball rest = x - Ball::from_double(head);
+  if (x.is_exact() && rest.is_exact() && rest.contains_zero()) return {head, 0, 0};
   // The tail is rounded to 2^-53 of at most 2^-53 of the head, and so is the difference of two.
   constexpr double relative = 0x1p-100;
-  return {head, tail, x.radius_double() + relative * std::abs(head)};
+  return {head, rest.to_double(), x.radius_double() + relative * std::abs(head)};
 }
 
 double apart(const Approximation& a, const Approximation& b) {
