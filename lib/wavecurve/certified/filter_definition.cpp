@@ -7,6 +7,8 @@ namespace wavecurve::certified {
 FilterDefinition dual(const FilterDefinition& definition) {
   FilterDefinition exchanged;
   exchanged.name = "dual of " + definition.name;
+  exchanged.known_bits = definition.dual_known_bits;
+  exchanged.dual_known_bits = definition.known_bits;
   exchanged.bank = [name = exchanged.name, bank = definition.bank](long bits) {
     FilterBank<Ball> b = bank(bits);
     b.name = name;
