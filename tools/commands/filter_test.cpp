@@ -179,10 +179,11 @@ TEST_F(FilterCommand, ManyTapsAndFewDigitsTakeSeconds) {
     std::string text = R"({"taps": [)";
     for (int i = 0; i < 1000; ++i) text += (i == 0 ? "\"" : ", \"") + std::string(tap) + "\"";
     io::write_file(folder_ / "own.json", text + "]}");
-    expect_refusal("filter own.json",
-                   tap[0] == '0'
-                       ? "the number of taps of filter own is 1000, but must be from 1 to 256"
-                       : "the exponent of tap '1e-10000' is -10000, but must be from -1000");
+    expect_refusal(
+        "filter own.json",
+        tap[0] == '0'
+            ? "the number of taps of filter own is 1000, but must be from 1 to 256"
+            : "taps[0] of filter own: the exponent of '1e-10000' is -10000, but must be from -1000");
   }
 }
 

@@ -180,7 +180,7 @@ TEST(UserFilter, EachSideHasItsSumAndTapsMayBeFractions) {
   EXPECT_EQ(definition.exact->analysis, find_filter("bspline2.2").exact->analysis);
   EXPECT_FALSE(definition.known_bits || definition.dual_known_bits);
   legall.taps.taps[1] = "1/0";
-  EXPECT_EQ(refusal(legall), "tap '1/0' is divided by zero");
+  EXPECT_EQ(refusal(legall), "taps[1] of filter 5/3: '1/0' is divided by zero");
 }
 
 TEST(UserFilter, TheStatedAccuracyIsTheRadius) {

@@ -107,6 +107,10 @@ UserFilter user_filter_of(const JsonPlace& document, const std::string& default_
   user.taps = taps_of(primal);
   user.sum = sum.primal.value_or(user.sum);
   user.accuracy = accuracy.primal;
+  if (!dual && (sum.dual || accuracy.dual)) {
+    throw std::invalid_argument(std::string(sum.dual ? "sum" : "accuracy") +
+                                ".dual is given, but there is no dual side");
+  }
   if (dual) {
     dual->check_keys(keys_of_a_side);
     user.dual = taps_of(*dual);

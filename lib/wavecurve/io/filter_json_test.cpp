@@ -112,6 +112,8 @@ TEST_F(FilterJson, WhatIsWrongIsOneClearLine) {
       {R"({"taps": ["1"], "dual": {"taps": [true]}})",
        "dual.taps[0] is true, but must be a number, in quotes or not"},
       {R"({"taps": ["1"], "taps": ["2"]})", "key 'taps' stands twice"},
+      {R"({"taps": ["1"], "accuracy": {"dual": 1e-3}})",
+       "accuracy.dual is given, but there is no dual side"},
       {R"({"synthesis_low": {"taps": {}}})", "synthesis_low.taps is an object, but must be a list"},
   };
   for (const auto& [text, message] : known) EXPECT_EQ(refusal(text), message) << text;

@@ -25,10 +25,10 @@ long printed_exponent(std::string_view decimal) {
 }
 
 Rational decimal_value(const std::string& text) {
-  check_between("the number of characters of tap " + value_text(text),
-                static_cast<long>(text.size()), 1, most_digits);
+  check_between("the number of characters of " + value_text(text), static_cast<long>(text.size()),
+                1, most_digits);
   const Rational value = Rational::from_decimal(text);
-  check_between("the exponent of tap " + value_text(text), printed_exponent(text), -most_digits,
+  check_between("the exponent of " + value_text(text), printed_exponent(text), -most_digits,
                 most_digits);
   return value;
 }
@@ -39,7 +39,7 @@ Rational exact_value(const std::string& text) {
   if (slash == std::string::npos) return decimal_value(text);
   const Rational divisor = decimal_value(text.substr(slash + 1));
   if (divisor.is_zero()) {
-    throw std::invalid_argument("tap " + value_text(text) + " is divided by zero");
+    throw std::invalid_argument(value_text(text) + " is divided by zero");
   }
   return decimal_value(text.substr(0, slash)) / divisor;
 }
@@ -57,7 +57,7 @@ Rational half_unit(const std::string& text) {
 }
 
 Rational checked_accuracy(const std::string& text) {
-  const Rational accuracy = Rational::from_decimal(text);
+  const Rational accuracy = decimal_value(text);
   if (accuracy > Rational(0) && accuracy < Rational(1)) return accuracy;
   throw std::invalid_argument(must_be("accuracy", std::string_view(text), "above 0 and below 1"));
 }
@@ -89,7 +89,12 @@ PrintedSide::PrintedSide(const std::string& filter_name, const Filter<std::strin
   check_between("the first index" + whose, printed.first_index, -furthest_index, furthest_index);
   Filter<Rational> values{printed.first_index, {}};
   for (const std::string& text : printed.taps) {
-    values.taps.push_back(exact_value(text));
+    try {
+      values.taps.push_back(exact_value(text));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("taps[" + std::to_string(values.taps.size()) + "]" + whose +
+                                  ": " + error.what());
+    }
     const bool is_zero = values.taps.back().is_zero();
     radii_.push_back(is_zero || accuracy ? Rational(0) : half_unit(text));
   }

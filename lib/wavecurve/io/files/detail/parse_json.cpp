@@ -50,13 +50,18 @@ class Builder : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& last_token,
                    const nlohmann::detail::exception& error) override {
     constexpr int out_of_range = 406;
+    constexpr std::string_view line_break = "<U+000A>";  // as the parser writes it
+    std::string_view token = last_token;
+    if (const auto at = token.rfind(line_break); at != token.npos) {
+      token.remove_prefix(at + line_break.size());
+    }
+    token.remove_prefix(std::min(token.find_first_not_of(' '), token.size()));
     const std::string_view before =
         std::string_view(text_).substr(0, position > 0 ? position - 1 : 0);
     const auto line = 1 + std::ranges::count(before, '\n');
     const auto column = before.size() - (before.rfind('\n') + 1) + 1;
     throw std::invalid_argument(
-        fmt::format("not JSON: line {}, column {}: {} {}", line, column,
-                    value_text(std::string_view(last_token)),
+        fmt::format("not JSON: line {}, column {}: {} {}", line, column, value_text(token),
                     error.id == out_of_range ? "is too large a number" : "is not expected"));
   }
 
