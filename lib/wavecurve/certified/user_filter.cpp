@@ -1,7 +1,6 @@
 #include "wavecurve/certified/user_filter.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
