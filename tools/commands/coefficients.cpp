@@ -10,6 +10,7 @@
 
 #include "wavecurve/certified/certified_decimals.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
@@ -80,8 +81,8 @@ std::string coefficients_as_csv(const FilterDefinition& definition,
   std::string text = "filter,quantity,index,value,radius,exact\n";
   for (const auto& [name, values] : columns) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      text += fmt::format("{},{},{},{},{},{}\n", definition.name, name, i, values[i].value,
-                          values[i].radius, values[i].exact.value_or(""));
+      text += fmt::format("{},{},{},{},{},{}\n", io::csv_field(definition.name), name, i,
+                          values[i].value, values[i].radius, values[i].exact.value_or(""));
     }
   }
   return text;

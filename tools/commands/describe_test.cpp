@@ -115,7 +115,7 @@ TEST_F(DescribeCommand, RefusesBadInput) {
   expect_refusal("reconstruct d.json --scale 24 -o d.svg", "scale is 24");
   expect_refusal("reconstruct d.json --scale many -o d.svg",
                  "--scale is 'many', but must be a number");
-  expect_refusal("reconstruct point.csv -o d.svg", "point.csv: not a descriptor");
+  expect_refusal("reconstruct point.csv -o d.svg", "point.csv: not JSON: line 1, column 2");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "d.svg"));
 }
 

@@ -16,6 +16,7 @@
 #include "wavecurve/certified/diagnostics.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
+#include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
@@ -50,14 +51,16 @@ std::string tap_decimal(const Ball& tap, int digits) {
 /// the decimals of a user's own filter may not support as many digits as are asked for.
 std::vector<NamedFilter> rounded_filters(const FilterDefinition& definition, int digits) {
   FilterBank<Ball> bank;
-  certified::refine(certified::bits_for_digits(digits), [&](long bits) {
+  const auto attempt = [&](long bits) {
     bank = definition.bank(bits);
     bool decided = true;
     for (const auto* low : {&bank.analysis_low, &bank.synthesis_low}) {
       for (const Ball& tap : low->taps) decided &= decimal_enclosure(tap, digits).has_value();
     }
     return decided;
-  });
+  };
+  certified::refine(certified::bits_for_digits(digits), attempt,
+                    definition.known_bits ? definition.known_bits : definition.dual_known_bits);
   const auto round = [digits](const char* name, const Filter<Ball>& filter) {
     NamedFilter result{name, {filter.first_index, {}}};
     for (const Ball& tap : filter.taps) result.decimals.taps.push_back(tap_decimal(tap, digits));
@@ -67,9 +70,12 @@ std::vector<NamedFilter> rounded_filters(const FilterDefinition& definition, int
           round("synthesis_low", bank.synthesis_low), round("synthesis_high", bank.synthesis_high)};
 }
 
-std::string short_decimal(const Ball& x) {
+/// The digits that are proved, at most ten; null where there is none.
+ordered_json short_decimal(const Ball& x) {
   constexpr int shown = 10;
-  return certified::supported_decimal(x, shown).value;
+  const auto decimal = certified::supported_decimal(x, shown);
+  if (decimal.value == "0" && decimal.radius != "0") return nullptr;
+  return decimal.value;
 }
 
 std::string symmetry_text(const Filter<Ball>& filter) {
@@ -96,7 +102,8 @@ ordered_json exponent_json(const FilterDefinition& definition) {
 ordered_json riesz_json(const FilterDefinition& definition) {
   const auto bounds = certified::riesz_bounds(definition);
   if (!bounds) return nullptr;
-  return {short_decimal(bounds->lower), short_decimal(bounds->upper)};
+  ordered_json both{short_decimal(bounds->lower), short_decimal(bounds->upper)};
+  return both[0].is_null() || both[1].is_null() ? ordered_json() : both;
 }
 
 ordered_json diagnostics(const FilterDefinition& definition) {
@@ -105,16 +112,21 @@ ordered_json diagnostics(const FilterDefinition& definition) {
   const auto bank = definition.bank(bits);
   const FilterDefinition dual = certified::dual(definition);
   const auto psi = certified::wavelet_support(bank);
-  return {{"orthonormal", bank.is_orthonormal()},
+  const bool orthonormal = bank.is_orthonormal();
+  const ordered_json riesz = riesz_json(definition);
+  // Where the shifts of phi are no Riesz basis, what is computed is but a bound of the exponent.
+  const ordered_json exponent =
+      orthonormal && riesz.is_null() ? ordered_json() : exponent_json(definition);
+  return {{"orthonormal", orthonormal},
           {"vanishing_moments", bank.vanishing_moments},
           {"dual_vanishing_moments", bank.dual_vanishing_moments},
           {"support", {bank.synthesis_low.first_index, bank.synthesis_low.last_index()}},
           {"dual_support", {bank.analysis_low.first_index, bank.analysis_low.last_index()}},
           {"wavelet_support", {psi.first, psi.second}},
-          {"sobolev_exponent", exponent_json(definition)},
-          {"dual_sobolev_exponent", exponent_json(dual)},
-          {"riesz_bounds", riesz_json(definition)},
-          {"dual_riesz_bounds", riesz_json(dual)},
+          {"sobolev_exponent", exponent},
+          {"dual_sobolev_exponent", orthonormal ? exponent : exponent_json(dual)},
+          {"riesz_bounds", riesz},
+          {"dual_riesz_bounds", orthonormal ? riesz : riesz_json(dual)},
           {"symmetry", symmetry_text(bank.synthesis_low)},
           {"dual_symmetry", symmetry_text(bank.analysis_low)}};
 }
@@ -134,7 +146,7 @@ std::string filter_as_csv(const FilterDefinition& definition,
   std::string text = "filter,part,index,tap\n";
   for (const auto& [name, filter] : filters) {
     for (int n = filter.first_index; n <= filter.last_index(); ++n) {
-      text += fmt::format("{},{},{},{}\n", definition.name, name, n, filter[n]);
+      text += fmt::format("{},{},{},{}\n", io::csv_field(definition.name), name, n, filter[n]);
     }
   }
   return text;
@@ -217,6 +229,16 @@ void add_filter_command(CLI::App& app, ExitCode&) {
   command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop");
   add_digits_option(*command, options->digits);
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
+  command->footer(
+      "A JSON file with one's own filter: {\"taps\": [\"0.48...\", ...]}, and where they are needed\n"
+      "first_index   of the taps, 0 unless given\n"
+      "sum           of the taps: \"sqrt2\", \"1\" or \"2\"\n"
+      "dual          {\"taps\": [...], \"first_index\": ...}, the analysis side of a biorthogonal pair\n"
+      "accuracy      a bound of the error of every tap, where it is not half a unit of its last digit\n"
+      "vanishing_moments, dual_vanishing_moments, name\n"
+      "sum and accuracy may be given for each side: {\"primal\": \"2\", \"dual\": \"1\"}. Taps are "
+      "decimals,\n"
+      "of which every digit counts, or fractions \"75/64\"; a zero is exact.");
   command->callback([options] { run_filter(*options); });
 }
 

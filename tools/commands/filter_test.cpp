@@ -118,6 +118,76 @@ TEST_F(FilterCommand, AFilterOfFewDigitsIsAcceptedForWhatItIs) {
   expect_refusal("coefficients rough.json", "taps have too few digits");
 }
 
+// A line of code, a keyword, what the compiler defines, what it keeps for itself, a comment that
+// would go on.
+TEST_F(FilterCommand, AnyNameGivesAHeaderThatCompiles) {
+  io::write_file(folder_ / "main.cpp", "#include \"own.hpp\"\nint main() {}\n");
+  for (const char* name : {R"(x\n#error no comment\n//)", "int", "linux", "__x", "9/7", "",
+                           R"(x\\)", R"(\u00e9*/ \u2028)", "??/"}) {
+    io::write_file(folder_ / "own.json",
+                   std::string(R"({"taps": ["1", "1"], "sum": "2", "name": ")") + name + "\"}");
+    for (const char* command : {"filter", "coefficients --derivatives 0,0"}) {
+      const ProgramRun header = wavecurve(std::string(command) + " own.json --format cpp");
+      ASSERT_EQ(header.exit_code, 0) << header.err;
+      io::write_file(folder_ / "own.hpp", header.out);
+      const ProgramRun built = run("c++ -std=c++17 -trigraphs -Werror -Wall -fsyntax-only '" +
+                                   (folder_ / "main.cpp").string() + "'");
+      EXPECT_EQ(built.exit_code, 0) << name << "\n" << built.err << header.out;
+    }
+  }
+}
+
+TEST_F(FilterCommand, TablesOfDoubleArithmeticAreReadWithTheirAccuracy) {
+  // db2 as a much used package printed it for years.
+  const std::string taps =
+      R"({"taps": [0.48296291314469025, 0.836516303737469, 0.22414386804185735, -0.12940952255092145])";
+  io::write_file(folder_ / "own.json", taps + "}");
+  const ProgramRun refused = wavecurve("filter own.json");
+  const std::string opening = "with \"accuracy\": \"";
+  const auto place = refused.err.find(opening);
+  ASSERT_NE(place, std::string::npos) << refused.err;
+  const std::string accuracy = refused.err.substr(place + opening.size());
+  io::write_file(folder_ / "own.json",
+                 taps + ", \"accuracy\": " + accuracy.substr(0, accuracy.find('"')) + "}");
+  const json document = json::parse(wavecurve("filter own.json --format json").out);
+  EXPECT_EQ(document["diagnostics"]["vanishing_moments"], 2);
+  EXPECT_EQ(document["synthesis_low"]["taps"][1], "0.83651630374");
+}
+
+// Each took from ten seconds to for ever.
+TEST_F(FilterCommand, ManyTapsAndFewDigitsTakeSeconds) {
+  const auto lazy = [](int taps) {
+    std::string text = R"({"sum": "2", "taps": ["1")";
+    for (int i = 2; i < taps; ++i) text += ", \"0\"";
+    return text + ", \"1\"]}";
+  };
+  for (const int taps : {50, 100, 200}) {
+    io::write_file(folder_ / "own.json", lazy(taps));
+    EXPECT_EQ(
+        run("timeout 20 '" WAVECURVE_PROGRAM "' filter '" + (folder_ / "own.json").string() + "'")
+            .exit_code,
+        0)
+        << taps;
+  }
+  io::write_file(folder_ / "own.json",
+                 R"({"taps":["0.353553","0.707107","0.353553"],"first_index":-1,
+          "dual":{"taps":["-0.176777","0.353553","1.060660","0.353553","-0.176777"],"first_index":-2}})");
+  EXPECT_EQ(
+      run("timeout 20 '" WAVECURVE_PROGRAM "' filter '" + (folder_ / "own.json").string() + "'")
+          .exit_code,
+      0);
+  for (const char* tap : {"0.001", "1e-10000"}) {
+    std::string text = R"({"taps": [)";
+    for (int i = 0; i < 1000; ++i) text += (i == 0 ? "\"" : ", \"") + std::string(tap) + "\"";
+    io::write_file(folder_ / "own.json", text + "]}");
+    expect_refusal(
+        "filter own.json",
+        tap[0] == '0'
+            ? "the number of taps of filter own is 1000, but must be from 1 to 256"
+            : "taps[0] of filter own: the exponent of '1e-10000' is -10000, but must be from -1000");
+  }
+}
+
 TEST_F(FilterCommand, AFullDiskIsTheEnvironmentsFault) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   EXPECT_EQ(run("{ '" WAVECURVE_PROGRAM "' filter db4 >/dev/full; }").exit_code, 3);

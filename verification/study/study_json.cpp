@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/parse_json.hpp"
+
 namespace wavecurve::verification {
 
 namespace {
@@ -121,7 +123,7 @@ std::string to_json_line(const StudyPoint& point) {
 
 StudyPoint point_of_json_line(const std::string& line) {
   try {
-    return point_of(Json::parse(line));
+    return point_of(io::parse_ordered_json(line));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(std::string("no point of a study: ") + error.what());
   }

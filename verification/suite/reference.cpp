@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "verification/suite/claim_value_json.hpp"
@@ -83,7 +83,7 @@ void compare_values(const BlessedClaim& before, const BlessedClaim& now,
 std::vector<BlessedClaim> read_reference(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return {};
   try {
-    const auto document = nlohmann::json::parse(io::read_file(path));
+    const auto document = io::read_json(path);
     const auto& listed = document.at("claims");
     require_schema(path, document);
     std::vector<BlessedClaim> claims;

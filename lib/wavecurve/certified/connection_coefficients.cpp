@@ -1,9 +1,13 @@
 #include "wavecurve/certified/connection_coefficients.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "wavecurve/certified/basis_function.hpp"
+#include "wavecurve/certified/detail/derivative_over_taps.hpp"
 #include "wavecurve/certified/detail/is_accurate.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/refinable.hpp"
@@ -22,11 +26,11 @@ void require_orders(int p, int q) {
   }
 }
 
+/// From F^(p+q) at the integers.
 template <class Scalar>
-ConnectionCoefficients<Scalar> from_autocorrelations(const Filter<Scalar>& alpha,
-                                                     const Filter<Scalar>& beta, int p, int q) {
-  ConnectionCoefficients<Scalar> result{
-      p, q, autocorrelation_derivative_at_integers(alpha, p + q), {}};
+ConnectionCoefficients<Scalar> from_derivative(Filter<Scalar> derivative,
+                                               const Filter<Scalar>& beta, int p, int q) {
+  ConnectionCoefficients<Scalar> result{p, q, std::move(derivative), {}};
   if (p % 2 != 0) {
     for (Scalar& value : result.mu.taps) value = -value;
   }
@@ -51,12 +55,19 @@ ConnectionCoefficients<Ball> connection_coefficients(const FilterDefinition& def
   require_smoothness(definition, p, q);
   constexpr long guard_bits = 64;
   ConnectionCoefficients<Ball> result;
-  refine(bits + guard_bits, [&](long working) {
+  const auto attempt = [&](long working) {
     const FilterBank<Ball> bank = definition.bank(working);
-    result = from_autocorrelations(autocorrelation(bank.synthesis_low),
-                                   autocorrelation(bank.synthesis_high), p, q);
-    return is_accurate(result, bits);
-  });
+    result = from_derivative(
+        definition.known_bits
+            ? autocorrelation_derivative_over(bank.synthesis_low, p + q)
+            : autocorrelation_derivative_at_integers(autocorrelation(bank.synthesis_low), p + q),
+        autocorrelation(bank.synthesis_high), p, q);
+    return is_accurate(result.mu, bits) &&
+           (definition.dual_known_bits || is_accurate(result.nu, bits));
+  };
+  // What the taps do not tell, no precision does.
+  const std::optional<long> known = definition.known_bits;
+  refine((known ? std::min(bits, *known) : bits) + guard_bits, attempt, known);
   return result;
 }
 
@@ -69,8 +80,8 @@ std::optional<ConnectionCoefficients<Rational>> exact_connection_coefficients(
   require_orders(p, q);
   if (!definition.exact) return std::nullopt;
   require_smoothness(definition, p, q);
-  return from_autocorrelations(definition.exact->synthesis,
-                               with_alternating_signs(definition.exact->analysis), p, q);
+  return from_derivative(autocorrelation_derivative_at_integers(definition.exact->synthesis, p + q),
+                         with_alternating_signs(definition.exact->analysis), p, q);
 }
 
 }  // namespace wavecurve::certified

@@ -1,5 +1,8 @@
 #include "wavecurve/certified/decimal_enclosure.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "wavecurve/certified/rounding.hpp"
 
 namespace wavecurve::certified {
@@ -26,7 +29,10 @@ std::optional<DecimalEnclosure> decimal_enclosure(const Ball& x, int digits) {
 }
 
 DecimalEnclosure supported_decimal(const Ball& x, int digits) {
-  for (int supported = digits; supported >= 1; --supported) {
+  // A digit takes log2(10) bits; no more than one digit beyond the accurate ones may be decided.
+  const double accurate = static_cast<double>(x.accuracy_bits()) * std::log10(2.0);
+  const int most = accurate + 2 < digits ? std::max(1, static_cast<int>(accurate) + 2) : digits;
+  for (int supported = most; supported >= 1; --supported) {
     if (auto decimal = decimal_enclosure(x, supported)) return *decimal;
   }
   return {"0", magnitude_bound(x), std::nullopt};

@@ -14,9 +14,10 @@ struct RieszBounds {
 };
 
 /// The extremes of the Gram symbol G(w) = sum_l (int phi(x - l) phi(x) dx) cos(l w) on 0 <= w <=
-/// pi, by interval branch and bound to a relative width of 1e-10. Exactly 1 and 1 for an
-/// orthonormal family. Empty where they do not exist: phi is not square integrable, or the lower
-/// bound is not proved positive.
+/// pi, by interval branch and bound to a relative width of 1e-10, or as far as the taps are known.
+/// Exactly 1 and 1 for an orthonormal family, whose shifts are orthonormal if the taps are and the
+/// exponent of sobolev_exponent.hpp is positive (Lawton 1991). Empty where the bounds do not exist,
+/// phi being not square integrable, or the lower one is not proved positive.
 std::optional<RieszBounds> riesz_bounds(const FilterDefinition& definition);
 
 enum class Symmetry { symmetric, antisymmetric, none };

@@ -11,6 +11,8 @@ FilterDefinition dual(const FilterDefinition& definition) {
 FilterDefinition dual(const FilterDefinition& definition, const std::string& name) {
   FilterDefinition exchanged;
   exchanged.name = name;
+  exchanged.known_bits = definition.dual_known_bits;
+  exchanged.dual_known_bits = definition.known_bits;
   exchanged.bank = [name, bank = definition.bank](long bits) {
     FilterBank<Ball> b = bank(bits);
     b.name = name;

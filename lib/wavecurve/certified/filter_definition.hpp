@@ -25,6 +25,10 @@ struct FilterDefinition {
   std::function<FilterBank<Ball>(long bits)> bank;
   /// Exact autocorrelations; empty for families whose autocorrelation is irrational.
   std::optional<ExactAutocorrelations> exact;
+  /// The bits behind the point to which the taps of the synthesis side, and those of the analysis
+  /// side, are known: a user's own decimals may stand for more than one number. Empty where any
+  /// accuracy can be had.
+  std::optional<long> known_bits = {}, dual_known_bits = {};
 };
 
 /// The same bank with the analysis and the synthesis side exchanged, so that every question about

@@ -3,20 +3,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "wavecurve/certified/detail/flint_matrices.hpp"
+#include "wavecurve/certified/detail/ball_matrix.hpp"
 
 namespace wavecurve::certified {
 
 namespace {
-
-class BallMatrix {
- public:
-  BallMatrix(long rows, long columns) { arb_mat_init(value, rows, columns); }
-  BallMatrix(const BallMatrix&) = delete;
-  BallMatrix& operator=(const BallMatrix&) = delete;
-  ~BallMatrix() { arb_mat_clear(value); }
-  arb_mat_t value;
-};
 
 class RationalMatrix {
  public:
@@ -39,18 +30,14 @@ void require_length(int size, std::size_t length) {
 std::optional<std::vector<Ball>> solve(const SquareMatrix<Ball>& a, const std::vector<Ball>& b) {
   const int n = a.size();
   require_length(n, b.size());
-  BallMatrix matrix(n, n), right(n, 1), solution(n, 1);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) arb_set(arb_mat_entry(matrix.value, i, j), a(i, j).get());
-    arb_set(arb_mat_entry(right.value, i, 0), b[static_cast<std::size_t>(i)].get());
-  }
+  const BallMatrix matrix(a);
+  BallMatrix right(n, 1), solution(n, 1);
+  for (int i = 0; i < n; ++i) right.set(i, 0, b[static_cast<std::size_t>(i)]);
   if (!arb_mat_solve(solution.value, matrix.value, right.value, WorkingPrecision::bits())) {
     return std::nullopt;
   }
-  std::vector<Ball> x(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) {
-    arb_set(x[static_cast<std::size_t>(i)].get(), arb_mat_entry(solution.value, i, 0));
-  }
+  std::vector<Ball> x;
+  for (int i = 0; i < n; ++i) x.push_back(solution.get(i, 0));
   return x;
 }
 

@@ -24,7 +24,8 @@ FilterBank<double> nearest_filter_bank(const FilterDefinition& definition) {
       make_filter_bank(exact.name, nearest(exact.analysis_low), nearest(exact.synthesis_low));
   bank.vanishing_moments = exact.vanishing_moments;
   bank.dual_vanishing_moments = exact.dual_vanishing_moments;
-  bank.sobolev_exponent = sobolev_exponent(definition).to_double();
+  const Ball exponent = sobolev_exponent(definition);
+  bank.sobolev_exponent = exponent.to_double() - exponent.radius_double();
   return bank;
 }
 

@@ -4,27 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "wavecurve/certified/detail/two_scale_moments.hpp"
 #include "wavecurve/certified/linear_solve.hpp"
 #include "wavecurve/filters/two_scale_matrix.hpp"
 
 namespace wavecurve::certified {
 
 namespace {
-
-template <class Scalar>
-Scalar integer_power(long base, int exponent) {
-  Scalar result(1);
-  for (int i = 0; i < exponent; ++i) result *= Scalar(base);
-  return result;
-}
-
-/// (-1)^d d!, the right-hand side of (S).
-template <class Scalar>
-Scalar moment(int d) {
-  Scalar result(1);
-  for (int i = 1; i <= d; ++i) result *= Scalar(-i);
-  return result;
-}
 
 /// The null vector of (R) with the scale of (S): the last equation is replaced, and checked
 /// afterwards.
@@ -78,19 +64,8 @@ Filter<Scalar> autocorrelation_derivative_at_integers(const Filter<Scalar>& alph
     throw std::domain_error("the support is too short for a derivative of order " +
                             std::to_string(d));
   }
-  std::vector<Scalar> weights;
-  for (int m = first; m <= last; ++m) {
-    weights.push_back(integer_power<Scalar>(m, d) * Scalar(m == 0 ? 1 : 2));
-  }
-  const auto solution = solve_for_moment(two_scale_matrix(alpha, d), weights, d);
-  Filter<Scalar> values{-last,
-                        std::vector<Scalar>(static_cast<std::size_t>(2 * last + 1), Scalar(0))};
-  for (int m = first; m <= last; ++m) {
-    const Scalar& value = solution[static_cast<std::size_t>(m - first)];
-    values.taps[static_cast<std::size_t>(last - m)] = d % 2 != 0 ? -value : value;
-    values.taps[static_cast<std::size_t>(last + m)] = value;
-  }
-  return values;
+  const auto weights = moment_weights<Scalar>(last, d);
+  return mirrored(solve_for_moment(two_scale_matrix(alpha, d), weights, d), last, d);
 }
 
 template Filter<Ball> derivative_at_integers(const Filter<Ball>&, int);

@@ -1,11 +1,17 @@
 #include "wavecurve/certified/sobolev_exponent.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "wavecurve/certified/detail/flint_matrices.hpp"
+#include <fmt/format.h>
+
+#include "wavecurve/certified/decimal_enclosure.hpp"
+#include "wavecurve/certified/detail/ball_matrix.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
@@ -54,72 +60,179 @@ SquareMatrix<Ball> transition_operator(const std::vector<Ball>& q) {
   return t;
 }
 
-/// The spectral radius rho from T^k, k = 2^squarings: |tr T^k| / n <= rho^k <= norm(T^k).
-/// T maps non-negative functions to such, so that rho itself is an eigenvalue and the trace is no
-/// small sum of large terms; the two bounds differ by a factor that the k-th root brings to 1.
-Ball spectral_radius(const SquareMatrix<Ball>& t, int squarings) {
-  const int n = t.size();
+constexpr int most_squarings = 45;  // leave a radius of 1e-13 for the longest filters
+constexpr double accurate_radius = 1e-13;
+
+/// What the squarings of all attempts together may take, in products of entries times bits: about
+/// a second. The families take at most a third of it. One's own filter with hundreds of taps beyond
+/// its zeros takes all of it, and gets the enclosure that is reached by then.
+class Work {
+ public:
+  bool affords_squaring(int size, long bits) {
+    left_ -= std::pow(size, 3) * static_cast<double>(bits);
+    return left_ > 0;
+  }
+
+ private:
+  double left_ = 1.2e10;
+};
+
+Ball norm_of(const BallMatrix& matrix) {
+  Ball norm;
+  arb_mat_frobenius_norm(norm.get(), matrix.value, WorkingPrecision::bits());
+  return norm;
+}
+
+/// log rho of T from T^k, k = 2^squarings: |tr T^k| / n <= rho^k <= norm(T^k), and 1 <= rho.
+/// T maps non-negative functions to such, so that rho itself is an eigenvalue and the trace is
+/// mostly no small sum of large terms; the two bounds differ by a factor that the k-th root brings
+/// to 1. rho is at least 1 since (T u)(0) >= |q(0)|^2 u(0) = u(0).
+std::optional<Ball> log_spectral_radius(const BallMatrix& power, int size, int squarings) {
+  Ball trace, lower(0);
+  arb_mat_trace(trace.get(), power.value, WorkingPrecision::bits());
+  const Ball norm = norm_of(power);
+  if (certainly_less(Ball(size), trace)) lower = log(trace / Ball(size));
+  const Ball log_rho = hull(lower, log(norm)) * Ball(Rational::power_of_two(-squarings));
+  return log_rho.is_finite() ? std::optional(log_rho) : std::nullopt;
+}
+
+using Enough = std::function<bool(const Ball& exponent)>;
+
+/// The exponent as far as one attempt came, and whether it ended because the powers had become too
+/// wide.
+struct Attempt {
+  std::optional<Ball> exponent;
+  bool lost_precision = false;
+};
+
+/// The exponent s of a filter with `all_zeros` zeros at pi of which only `zeros` are divided out.
+/// T then has the largest eigenvalue max(1, 4^(zeros - s)), and tells min(zeros, s).
+Ball exponent_from(const Ball& told, int zeros, int all_zeros) {
+  if (zeros == all_zeros || certainly_less(told, Ball(zeros))) return told;
+  return hull(told, Ball(all_zeros));
+}
+
+/// Each power T^k, k = 1, 2, 4, ..., encloses the exponent. Their intersection is kept until it is
+/// enough, or until the errors of the k-th power widen it more than the k-th root narrows it.
+Attempt exponent_by_squaring(const Filter<Ball>& low, int zeros, int all_zeros, int squarings,
+                             Work& work, const Enough& enough) {
+  const auto t = transition_operator(without_zeros_at_pi(low, zeros));
   const long bits = WorkingPrecision::bits();
-  arb_mat_t power;
-  arb_mat_init(power, n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) arb_set(arb_mat_entry(power, i, j), t(i, j).get());
+  BallMatrix power(t);
+  std::optional<Ball> best;
+  const auto ended = [&](bool lost_precision) {
+    return Attempt{best ? std::optional(exponent_from(*best, zeros, all_zeros)) : std::nullopt,
+                   lost_precision};
+  };
+  for (int m = 0;; ++m) {
+    if (const auto log_rho = log_spectral_radius(power, t.size(), m)) {
+      const Ball s = Ball(zeros) - *log_rho / log(Ball(4));
+      if (best && best->radius_double() <= s.radius_double()) return ended(true);
+      if (!best) best = s;
+      arb_intersection(best->get(), best->get(), s.get(), bits);
+      if (enough(exponent_from(*best, zeros, all_zeros))) return ended(false);
+    } else if (best || norm_of(power).accuracy_bits() <= 0) {
+      return ended(true);
+    }
+    if (m == squarings || !work.affords_squaring(t.size(), bits)) return ended(false);
+    arb_mat_sqr(power.value, power.value, bits);
   }
-  for (int m = 0; m < squarings; ++m) arb_mat_sqr(power, power, bits);
-  Ball trace, norm;
-  arb_mat_trace(trace.get(), power, bits);
-  arb_mat_frobenius_norm(norm.get(), power, bits);
-  arb_mat_clear(power);
-  if (!trace.is_positive()) {
-    throw std::domain_error("the spectral radius of the transition operator was not enclosed");
-  }
-  const Ball k(Rational::power_of_two(squarings));
-  return hull(exp(log(trace / Ball(n)) / k), exp(log(norm) / k));
 }
 
-/// The exponent of phi, at rising precision until it can be enclosed.
-Ball exponent_of(const FilterDefinition& definition, int squarings) {
-  constexpr long first_bits = 128;
+constexpr const char* not_enclosed =
+    "the spectral radius of the transition operator was not enclosed";
+
+/// What keeps the exponent of a filter from being known better.
+std::string limit_of(const FilterDefinition& definition) {
+  return definition.known_bits ? "its taps have too few digits" : "the work is bounded";
+}
+
+/// The exponent of phi, at rising precision until it is enough.
+Ball exponent_of(const FilterDefinition& definition, const Enough& enough) {
+  // Squarings lose precision; to begin with much costs less than to do them again.
+  const long first_bits = definition.known_bits ? 128 : 512;
+  Work work;
+  std::optional<Ball> best;
+  std::string reason = not_enclosed;
+  const auto narrow = [&](const Ball& s) {
+    if (!best) best = s;
+    arb_intersection(best->get(), best->get(), s.get(), WorkingPrecision::bits());
+  };
+  const auto attempt = [&](long bits) {
+    const FilterBank<Ball> bank = definition.bank(bits);
+    const int all_zeros = bank.vanishing_moments;
+    // Each zero that is divided out multiplies the errors of the taps, and no more are needed than
+    // s. Without errors all at once take least work.
+    bool lost_precision = true, is_told = false;
+    for (int zeros = definition.known_bits ? std::min(1, all_zeros) : all_zeros; zeros <= all_zeros;
+         ++zeros) {
+      const double before = best ? best->radius_double() : 0;
+      const Attempt found =
+          exponent_by_squaring(bank.synthesis_low, zeros, all_zeros, most_squarings, work, enough);
+      if (found.exponent) narrow(*found.exponent);
+      lost_precision = found.lost_precision;
+      if (!best) continue;
+      if (enough(*best)) break;
+      // The next after s tells more than s itself, beside which the 1 is as large.
+      if (is_told && !(best->radius_double() < before)) break;
+      is_told |= certainly_less(*best, Ball(zeros));
+    }
+    return !lost_precision;
+  };
   try {
-    return *refine(first_bits, [&](long bits) {
-      const FilterBank<Ball> bank = definition.bank(bits);
-      return std::optional(sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, squarings));
-    });
+    refine(first_bits, attempt, definition.known_bits);
   } catch (const std::domain_error& error) {
-    throw std::domain_error("the Sobolev exponent of filter " + definition.name +
-                            " is not known; its taps have too few digits: " + error.what());
+    reason = error.what();
   }
+  if (best) return *best;
+  throw std::domain_error("the Sobolev exponent of filter " + definition.name + " is not known (" +
+                          limit_of(definition) + "): " + reason);
 }
 
-constexpr int accurate_squarings = 45;  // leaves a radius of 1e-13 for the longest filters
+bool is_accurate(const Ball& exponent) { return exponent.radius_double() < accurate_radius; }
 
 }  // namespace
 
 Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings) {
-  const auto t = transition_operator(without_zeros_at_pi(low, zeros_at_pi));
-  const Ball rho = spectral_radius(t, squarings);
-  return Ball(zeros_at_pi) - log(rho) / log(Ball(4));
+  Work work;
+  const auto never = [](const Ball&) { return false; };
+  const Attempt attempt =
+      exponent_by_squaring(low, zeros_at_pi, zeros_at_pi, squarings, work, never);
+  if (attempt.exponent) return *attempt.exponent;
+  throw std::domain_error(not_enclosed);
 }
 
 Ball sobolev_exponent(const FilterDefinition& definition) {
-  return exponent_of(definition, accurate_squarings);
+  return exponent_of(definition, is_accurate);
+}
+
+bool is_proved_smoother(const FilterDefinition& definition, const Rational& exponent) {
+  const Ball found = exponent_of(
+      definition, [&](const Ball& s) { return !s.contains(exponent) || is_accurate(s); });
+  return certainly_less(Ball(exponent), found);
 }
 
 void require_smoothness(const FilterDefinition& definition, int p, int q) {
   const Rational needed(p + q, 2);
-  Ball found;
-  for (const int squarings : {4, 10, 20, accurate_squarings}) {  // a rough bound mostly decides
-    found = exponent_of(definition, squarings);
-    if (certainly_less(Ball(needed), found)) return;
-    if (certainly_less(found, Ball(needed))) break;
-  }
-  if (certainly_less(found, Ball(needed))) found = sobolev_exponent(definition);
   constexpr int shown = 4;
-  throw std::domain_error("filter " + definition.name + " is not smooth enough for derivatives " +
-                          std::to_string(p) + "," + std::to_string(q) +
-                          ": its Sobolev exponent is " +
-                          round_to_digits(found, shown).value_or("not known well enough") +
-                          ", needed is more than " + round_to_decimals(needed, 1));
+  constexpr double shown_radius = 1e-5;
+  // A rough bound mostly proves that a filter is smooth enough; the exponent of one that is not is
+  // shown.
+  const Ball found = exponent_of(definition, [&](const Ball& s) {
+    if (certainly_less(Ball(needed), s) || is_accurate(s)) return true;
+    return certainly_less(s, Ball(needed)) && s.radius_double() < shown_radius;
+  });
+  if (certainly_less(Ball(needed), found)) return;
+  const bool is_decided = certainly_less(found, Ball(needed)) || is_accurate(found);
+  const DecimalEnclosure exponent = supported_decimal(found, shown);
+  throw std::domain_error(fmt::format(
+      "filter {} is not {} for derivatives {},{}: its Sobolev exponent is {}, needed is more than "
+      "{}",
+      definition.name, is_decided ? "smooth enough" : "known to be smooth enough", p, q,
+      is_decided
+          ? exponent.value
+          : fmt::format("{} +- {} ({})", exponent.value, exponent.radius, limit_of(definition)),
+      round_to_decimals(needed, 1)));
 }
 
 }  // namespace wavecurve::certified

@@ -1,10 +1,14 @@
 #include "wavecurve/certified/sobolev_exponent.hpp"
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/certified/user_filter.hpp"
 
 namespace wavecurve::certified {
 namespace {
@@ -64,6 +68,68 @@ TEST(SobolevExponent, OfTheDualMayBeNegative) {
 TEST(SobolevExponent, RefusesAFilterWithoutTheZeros) {
   const auto low = find_filter("db3").bank(128).synthesis_low;
   EXPECT_THROW(sobolev_exponent(low, 4, 10), std::domain_error);
+}
+
+/// Taps 1 and 1, n intervals apart, n odd: phi is a box over all of them, whose shifts are no Riesz
+/// basis, and the transition operator has eigenvalues of the cycles of w -> 2w.
+FilterDefinition box_over(int n) {
+  UserFilter lazy{"lazy", {0, std::vector<std::string>(static_cast<std::size_t>(n) + 1, "0")}};
+  lazy.taps.taps.front() = lazy.taps.taps.back() = "1";
+  lazy.sum = "2";
+  return define_user_filter(lazy);
+}
+
+// The work is bounded: without that the last took minutes.
+TEST(SobolevExponent, OfManyTapsIsEnclosedAsFarAsTheWorkGoes) {
+  // With n a multiple of 3 the cycle of 2 pi / 3 has |q|^2 = 4 at both of its points: rho = 4.
+  for (const int n : {9, 45, 99, 195}) {
+    const Ball s = sobolev_exponent(box_over(n));
+    EXPECT_TRUE(s.contains(Rational(0))) << n;
+    EXPECT_LT(s.radius_double(), n < 50 ? 1e-12 : 0.5) << n;
+    EXPECT_FALSE(is_proved_smoother(box_over(n), Rational(0))) << n;
+  }
+}
+
+TEST(SobolevExponent, IsAsAccurateAsTheTapsAllow) {
+  UserFilter user{"mine",
+                  {0,
+                   {"0.332670552950", "0.806891509311", "0.459877502118", "-0.135011020010",
+                    "-0.085441273882", "0.035226291886"}}};
+  const WorkingPrecision precision(128);
+  const Ball truth = Ball(3) - log(Ball(9)) / log(Ball(4));
+  double last = 0;
+  for (const char* accuracy : {"1e-12", "1e-9", "1e-6", "1e-4"}) {
+    user.accuracy = accuracy;
+    const Ball s = sobolev_exponent(define_user_filter(user));
+    EXPECT_TRUE(s.contains(truth)) << accuracy;
+    EXPECT_GT(s.radius_double(), last) << accuracy;
+    last = s.radius_double();
+  }
+  EXPECT_LT(last, 0.5);
+}
+
+// With all zeros divided out, the errors of these are multiplied by 2^30, and nothing is known.
+TEST(SobolevExponent, OfALongTableIsKnownByTheZerosThatItTakes) {
+  const auto truth = find_filter("db30");
+  UserFilter user{"mine", {0, {}}};
+  for (const Ball& tap : truth.bank(200).synthesis_low.taps) {
+    user.taps.taps.push_back(*round_to_digits(tap, 17));
+  }
+  const Ball s = sobolev_exponent(define_user_filter(user));
+  EXPECT_TRUE(s.overlaps(sobolev_exponent(truth)));
+  EXPECT_TRUE(certainly_less(Ball(4), s));
+  EXPECT_TRUE(is_proved_smoother(define_user_filter(user), Rational(1)));
+}
+
+TEST(RequireSmoothness, SaysWhenItIsNotKnown) {
+  const UserFilter rough{"mine", {0, {"0.5", "0.8", "0.2", "-0.1"}}};
+  try {
+    require_smoothness(define_user_filter(rough), 1, 1);
+    FAIL();
+  } catch (const std::domain_error& error) {
+    EXPECT_NE(std::string(error.what()).find("its taps have too few digits"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(RequireSmoothness, DrawsTheLineAtTheExponent) {

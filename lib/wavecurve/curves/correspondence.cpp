@@ -65,6 +65,11 @@ Eigen::Index best_shift(In from, In to, Rotation rotation) {
     throw std::domain_error("contours that are to correspond must have finite coordinates");
   }
   VectorXcd z = normalised(from), w = normalised(to);
+  if (!z.allFinite() || !w.allFinite()) {
+    throw std::domain_error(
+        "contours that are to correspond have coordinates beyond what can be "
+        "added up");
+  }
   FourierTransform fourier(z.size());
   fourier.forward(z);
   fourier.forward(w);

@@ -87,6 +87,9 @@ TEST(BestShift, TakesTheFirstOfEqualShifts) {
 TEST(BestShift, RefusesDifferentSizes) {
   EXPECT_THROW(best_shift(Contour::Zero(4, 2), Contour::Zero(8, 2)), std::invalid_argument);
   EXPECT_THROW(best_shift(Contour(0, 2), Contour(0, 2)), std::invalid_argument);
+  // Their mean overflows, and no shift would be the best one.
+  const Contour huge = Contour::Constant(4, 2, 1.5e308);
+  EXPECT_THROW(best_shift(huge, huge), std::domain_error);
   EXPECT_THROW(started_at(Contour::Zero(4, 2), 4), std::invalid_argument);
 }
 

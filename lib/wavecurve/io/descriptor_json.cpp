@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/transform/bands.hpp"
 
@@ -176,7 +177,7 @@ std::string descriptor_json(const Descriptor& descriptor) {
 Descriptor read_descriptor(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   try {
-    return descriptor_of(json::parse(text));
+    return descriptor_of(parse_json(text));
   } catch (const json::exception& error) {
     constexpr std::size_t shown = 120;
     throw std::invalid_argument(

@@ -105,13 +105,15 @@ TEST_F(DescriptorJson, RefusesWhatIsBroken) {
     changed[nlohmann::json::json_pointer(pointer)] = value;
     return changed.dump();
   };
-  expect_refusal("", "not a descriptor");
+  expect_refusal("", "not JSON: it is empty");
   expect_refusal("[]", "\"format\" must be \"wavecurve-descriptor\"");
   expect_refusal("{\"taps\": [1]}", "\"format\" must be \"wavecurve-descriptor\"");
   expect_refusal(with("/version", 2), "version is 2, but must be 1");
   expect_refusal(with("/samples", 65), "samples is 65, but must be a power of two");
   expect_refusal(with("/samples", -4), "samples is -4");
   expect_refusal(with("/samples", 1e30), "samples is 1e+30");
+  expect_refusal(with("/samples", 18446744073709551615U), "samples is 18446744073709551615");
+  expect_refusal(std::string(100000, '['), "the document is nested more than 100 deep");
   expect_refusal(with("/samples", 32), "x holds 64 values, but samples is 32");
   expect_refusal(with("/levels", 7), "7");
   expect_refusal(with("/mode", "spline"), "mode is \"spline\", but must be \"samples\"");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 
 #include "wavecurve/certified/ball.hpp"
@@ -15,13 +16,14 @@ inline constexpr int precision_doublings = 5;
 /// std::domain_error says that the enclosures were too wide, and is no answer either.
 ///
 /// After precision_doublings it stops, and what the last attempt returned is returned, or the
-/// std::domain_error that it threw is thrown: no precision narrows the enclosures of a user's own
+/// std::domain_error that it threw is thrown. It stops as well at a precision above known_bits,
+/// those that the data themselves have: no precision narrows the enclosures of a user's own
 /// decimals. The attempt runs with WorkingPrecision(bits). Other exceptions pass at once.
 template <class Attempt>
-auto refine(long first_bits, Attempt attempt) {
+auto refine(long first_bits, Attempt attempt, std::optional<long> known_bits = std::nullopt) {
   long bits = first_bits;
   for (int doubling = 0;; ++doubling, bits *= 2) {
-    const bool is_last = doubling == precision_doublings;
+    const bool is_last = doubling == precision_doublings || (known_bits && bits > *known_bits);
     const WorkingPrecision precision(bits);
     try {
       auto answer = attempt(bits);

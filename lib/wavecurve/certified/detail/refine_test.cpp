@@ -50,6 +50,24 @@ TEST(Refine, TakesADomainErrorForNoAnswer) {
   EXPECT_EQ(WorkingPrecision::bits(), 128);
 }
 
+TEST(Refine, StopsAboveTheBitsThatTheDataHave) {
+  const auto tried_with = [](long known_bits) {
+    std::vector<long> tried;
+    EXPECT_FALSE(refine(
+        100,
+        [&](long bits) {
+          tried.push_back(bits);
+          return false;
+        },
+        known_bits));
+    return tried;
+  };
+  EXPECT_EQ(tried_with(30), std::vector<long>({100}));
+  EXPECT_EQ(tried_with(100), std::vector<long>({100, 200}));
+  EXPECT_EQ(tried_with(500), std::vector<long>({100, 200, 400, 800}));
+  EXPECT_EQ(tried_with(1000000), every_attempt);
+}
+
 TEST(Refine, PassesOtherExceptionsAtOnce) {
   int attempts = 0;
   EXPECT_THROW(refine(100,

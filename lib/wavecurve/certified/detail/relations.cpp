@@ -13,26 +13,39 @@ Scalar sum_of_taps(const Filter<Scalar>& low) {
   return sum;
 }
 
-/// sum_k (-1)^k k^j low_k, with k counted from the first tap: where the lower moments vanish, the
-/// origin does not matter.
+/// sum_k (-1)^k k^j low_k for j = 0, 1, 2, ..., one with each call. k is counted from the middle of
+/// the taps: where the lower moments vanish, the origin does not matter, and so the weights are
+/// small, and with them what the errors of the taps add up to.
 template <class Scalar>
-Scalar alternating_moment(const Filter<Scalar>& low, int j) {
-  Scalar sum(0);
-  for (int k = 0; k < low.size(); ++k) {
-    Scalar weight(k % 2 == 0 ? 1 : -1);
-    for (int i = 0; i < j; ++i) weight *= Scalar(k);
-    sum += weight * low.taps[static_cast<std::size_t>(k)];
+class AlternatingMoments {
+ public:
+  explicit AlternatingMoments(const Filter<Scalar>& low) : terms_(low.taps) {
+    for (std::size_t k = 1; k < terms_.size(); k += 2) terms_[k] = -terms_[k];
   }
-  return sum;
-}
+
+  Scalar next() {
+    Scalar sum(0);
+    const long last = static_cast<long>(terms_.size()) - 1;
+    for (long k = 0; k <= last; ++k) {
+      Scalar& term = terms_[static_cast<std::size_t>(k)];
+      sum += term;
+      term *= Scalar(2 * k - last) / Scalar(2);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Scalar> terms_;
+};
 
 template <class Scalar>
 void append_side(std::vector<Relation<Scalar>>& relations, const std::string& side,
                  const Filter<Scalar>& low, int zeros, const Scalar& sum) {
   relations.push_back({"sum_k " + side + "_k = sqrt 2", sum_of_taps(low) - sum});
+  AlternatingMoments moments(low);
   for (int j = 0; j < zeros; ++j) {
-    relations.push_back({"sum_k (-1)^k k^" + std::to_string(j) + " " + side + "_k = 0",
-                         alternating_moment(low, j)});
+    relations.push_back(
+        {"sum_k (-1)^k k^" + std::to_string(j) + " " + side + "_k = 0", moments.next()});
   }
 }
 
@@ -82,11 +95,13 @@ bool satisfies_relations(const FilterBank<Rational>& bank, const Rational& sum) 
 
 template <class Scalar>
 int zeros_at_pi(const Filter<Scalar>& low) {
+  AlternatingMoments moments(low);
   int count = 0;
-  while (count < low.size() - 1 && alternating_moment(low, count).contains_zero()) ++count;
+  while (count < low.size() - 1 && moments.next().contains_zero()) ++count;
   return count;
 }
 
+template std::vector<Relation<double>> filter_relations(const FilterBank<double>&, const double&);
 template std::vector<Relation<Ball>> filter_relations(const FilterBank<Ball>&, const Ball&);
 template std::vector<Relation<Rational>> filter_relations(const FilterBank<Rational>&,
                                                           const Rational&);

@@ -10,7 +10,7 @@
 
 namespace wavecurve::certified {
 
-/// One equation that a filter bank has to satisfy. Scalar is Ball or Rational.
+/// One equation that a filter bank has to satisfy. Scalar is Ball, Rational or double.
 template <class Scalar>
 struct Relation {
   std::string equation;  ///< "sum_k synthesis_low_k = sqrt 2"

@@ -1,6 +1,8 @@
 #include "wavecurve/io/detail/json_values.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,8 +21,13 @@ double number_in(const json& value, const std::string& what, double largest) {
   return result;
 }
 
+bool exceeds_signed(const json& value) {
+  return value.is_number_unsigned() &&
+         value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
+}
+
 long whole_number(const json& value, const std::string& what, long least, long most) {
-  if (!value.is_number_integer() || value < least || value > most) {
+  if (!value.is_number_integer() || exceeds_signed(value) || value < least || value > most) {
     throw std::invalid_argument(fmt::format("{} is {}, but must be a whole number from {} to {}",
                                             what, value.dump(), least, most));
   }

@@ -15,6 +15,10 @@ namespace wavecurve::io {
 double number_in(const nlohmann::json& value, const std::string& what,
                  double largest = std::numeric_limits<double>::max());
 
+/// Whether it is an integer above the largest of 64 bits with a sign: the JSON library takes it for a
+/// negative one.
+bool exceeds_signed(const nlohmann::json& value);
+
 /// An integer from `least` to `most`.
 long whole_number(const nlohmann::json& value, const std::string& what, long least, long most);
 

@@ -10,7 +10,6 @@
 
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/files/write_file.hpp"
-#include "wavecurve/io/filter_json.hpp"
 
 namespace wavecurve::io {
 namespace {
@@ -81,37 +80,6 @@ TEST_F(Files, ReadRefusesWhatIsLargerThanItsBound) {
   // A device has no size beforehand, and no end.
   if (fs::exists("/dev/zero")) {
     EXPECT_THROW(read_file("/dev/zero", 1000), std::invalid_argument);
-  }
-}
-
-TEST_F(Files, FilterJsonIsReadInBothForms) {
-  const fs::path path = folder_ / "mine.json";
-  write_file(path, R"({"taps": ["0.70710678118654752440", 0.5], "first_index": -1})");
-  const UserFilter own = read_filter_json(path);
-  EXPECT_EQ(own.name, "mine");
-  EXPECT_EQ(own.taps.first_index, -1);
-  EXPECT_EQ(own.taps.taps, (std::vector<std::string>{"0.70710678118654752440", "0.5"}));
-  EXPECT_FALSE(own.dual.has_value());
-  write_file(path, R"({"filter": "x", "analysis_low": {"first_index": 1, "taps": ["1"]},
-                       "synthesis_low": {"first_index": 2, "taps": ["2"]}})");
-  const UserFilter printed = read_filter_json(path);
-  EXPECT_EQ(printed.name, "x");
-  EXPECT_EQ(printed.taps.first_index, 2);
-  EXPECT_EQ(printed.dual->taps.front(), "1");
-}
-
-TEST_F(Files, BadFilterJsonIsOneClearLine) {
-  const fs::path path = folder_ / "bad.json";
-  for (const char* text : {"", "{", "[]", "3", "{}", R"({"taps": 3})", R"({"taps": [null]})",
-                           R"({"taps": ["1"], "first_index": 1.5})", R"({"taps": ["1"], "sum": 3})",
-                           R"({"taps": ["1"], "first_index": 99999999999})", "\x00\xff\xfe"}) {
-    write_file(path, text);
-    try {
-      read_filter_json(path);
-      FAIL() << text;
-    } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find("bad.json"), std::string::npos) << error.what();
-    }
   }
 }
 

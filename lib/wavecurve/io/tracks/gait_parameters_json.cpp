@@ -11,6 +11,7 @@
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::io {
@@ -268,7 +269,7 @@ std::string gait_parameters_json(const gait::GaitParameters& parameters) {
 gait::GaitParameters read_gait_parameters(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   try {
-    return parameters_of(json::parse(text));
+    return parameters_of(parse_json(text));
   } catch (const json::exception& error) {
     constexpr std::size_t shown = 120;
     throw std::invalid_argument(path.string() + ": not the parameters of a gait: " +

@@ -86,6 +86,12 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   bad["period"] = 0;
   EXPECT_NE(refusal(bad).find("period is 0"), std::string::npos);
   bad = good;
+  bad["version"] = 18446744073709551615U;
+  EXPECT_EQ(refusal(bad), "version is 18446744073709551615, but must be 1");
+  bad = good;
+  bad["scale"] = 18446744073709551615U;
+  EXPECT_EQ(refusal(bad), "scale is 18446744073709551615, but must be a whole number from 0 to 16");
+  bad = good;
   bad["scale"] = 32;
   EXPECT_EQ(refusal(bad), "scale is 32, but must be a whole number from 0 to 16");
   bad = good;

@@ -1,0 +1,106 @@
+#include "wavecurve/io/detail/json_place.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/io/detail/json_values.hpp"
+
+namespace wavecurve::io {
+
+using nlohmann::json;
+
+namespace {
+
+/// How many letters must be put in, taken out or changed (Levenshtein).
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// "; do you mean 'taps'?" where one of the names is but a slip away.
+std::string guess(std::string_view name, const std::vector<std::string>& known) {
+  constexpr std::size_t longest = 60, most_edits = 2;
+  if (name.size() > longest || known.empty()) return "";
+  const auto nearest = std::ranges::min_element(
+      known, {}, [&](const std::string& other) { return edits_between(name, other); });
+  if (edits_between(name, *nearest) > std::min(most_edits, name.size() / 2)) return "";
+  return fmt::format("; do you mean '{}'?", *nearest);
+}
+
+/// A value for a message, on one line and short.
+std::string brief(const json& value) {
+  if (value.is_array()) return "a list";
+  if (value.is_object()) return "an object";
+  if (value.is_string()) return value_text(std::string_view(value.get_ref<const std::string&>()));
+  return value.dump();
+}
+
+}  // namespace
+
+void JsonPlace::refuse(const std::string& bound) const {
+  throw std::invalid_argument(fmt::format(
+      "{} is {}, but must be {}", path_.empty() ? "the document" : path_, brief(*value_), bound));
+}
+
+void JsonPlace::check_keys(const std::vector<std::string>& known) const {
+  if (!value_->is_object()) refuse("an object");
+  for (const auto& [key, value] : value_->items()) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    throw std::invalid_argument((path_.empty() ? "" : path_ + ": ") +
+                                unknown_name("key", key, known) + guess(key, known));
+  }
+}
+
+std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
+  const auto found = value_->find(key);
+  if (found == value_->end()) return std::nullopt;
+  return JsonPlace(*found, path_.empty() ? key : path_ + "." + key);
+}
+
+JsonPlace JsonPlace::at(const std::string& key) const {
+  if (auto found = find(key)) return *found;
+  throw std::invalid_argument((path_.empty() ? "the document" : path_) + " has no key '" + key +
+                              "'");
+}
+
+std::vector<JsonPlace> JsonPlace::elements() const {
+  if (!value_->is_array()) refuse("a list");
+  std::vector<JsonPlace> elements;
+  for (std::size_t i = 0; i < value_->size(); ++i) {
+    elements.push_back(JsonPlace((*value_)[i], fmt::format("{}[{}]", path_, i)));
+  }
+  return elements;
+}
+
+std::string JsonPlace::text() const {
+  if (!value_->is_string()) refuse("a text");
+  return value_->get<std::string>();
+}
+
+int JsonPlace::whole_number(int least, int most) const {
+  const bool is_small = value_->is_number_integer() && !exceeds_signed(*value_);
+  const auto number = is_small ? value_->get<std::int64_t>() : 0;
+  if (!is_small || number < least || number > most) {
+    refuse(fmt::format("a whole number from {} to {}", least, most));
+  }
+  return static_cast<int>(number);
+}
+
+}  // namespace wavecurve::io
