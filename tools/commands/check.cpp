@@ -80,6 +80,8 @@ std::string table_as_json(const CheckedTable& table) {
         {{"filter", column.filter},
          {"quantity", to_string(column.quantity)},
          {"convention", convention_as_json(column)},
+         {"solution", column.solution.empty() ? nlohmann::ordered_json()
+                                              : nlohmann::ordered_json(column.solution)},
          {column.scientific ? "significant_digits" : "decimals", column.digits},
          {"route", column.route},
          {"matched", column.matched},
@@ -186,6 +188,11 @@ std::string conventions_text(const CheckedTable& table) {
                         : fmt::format(" (the table does not say so; \"# convention: {}\" would)",
                                       column.convention_text));
   }
+  for (const CheckedColumn& column : table.columns) {
+    if (column.solution.empty()) continue;
+    result += fmt::format("  {} {}: {}; not the one called {}\n", column.filter,
+                          to_string(column.quantity), column.solution, column.filter);
+  }
   return result.empty() ? "" : "\nconventions\n" + result;
 }
 
@@ -254,7 +261,10 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
           "text with the columns filter, quantity, index, printed (or value), separated\n"
           "by commas, semicolons or tabs; \"# filter: db4\" and \"# quantity: h\" stand for\n"
           "columns of their own; other columns are kept; numbers in any usual form;\n"
-          "quantities: h, h*sqrt2, h/sqrt2, alpha, mu, nu, mu/mu0, nu/nu0")
+          "quantities: h, g, dual(h), alpha, mu, nu, r, int(phi'', phi), phi, moment(psi), ...\n"
+          "with *sqrt2, /sqrt2, /first (`coefficients --help` has them all);\n"
+          "\"# convention: reversed, negated, alternating, dual, shift K, from 0, *sqrt2\" says how\n"
+          "all columns depart from the library's order")
       ->required();
   command->add_option("--format", options->format, "text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}))
@@ -262,9 +272,9 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
   command->footer(
       "Verdicts: certified, form, published-route, misprint, agrees-to-digits, discrepant, "
       "undecided.\n"
-      "Exit code: 0 if every value is right (certified, or right but for its form), 1 if one is "
-      "not,\n"
-      "2 if the file is no such table.");
+      "Exit code: 0 if every value is right (certified, or right but for its form) in the "
+      "library's\n"
+      "order or one that the table states, 1 if not, 2 if the file is no such table.");
   command->callback([options, &exit_code] { check_published_table(*options, exit_code); });
 }
 

@@ -13,6 +13,7 @@
 #include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
+#include "tools/commands/coefficients_quantity.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/number_format.hpp"
 
@@ -30,6 +31,8 @@ struct CoefficientsOptions {
   int digits = 40;
   std::string normalization = "none";
   std::string format = "text";
+  std::string quantity, integral;
+  int level = 0, moments = 10;
 };
 
 struct Orders {
@@ -126,6 +129,15 @@ std::string coefficients_as_text(const FilterDefinition& definition,
 }
 
 void run_coefficients(const CoefficientsOptions& options) {
+  if (!options.quantity.empty() || !options.integral.empty()) {
+    const std::string text = quantity_output({options.name,
+                                              options.quantity,
+                                              options.integral,
+                                              options.format,
+                                              {options.digits, options.level, options.moments}});
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return;
+  }
   const Orders orders = parse_orders(options.derivatives);
   const FilterDefinition definition = io::load_filter(options.name);
   const auto [alpha, mu, nu] = certified::certified_decimals(
@@ -151,6 +163,19 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
       ->required();
   command->add_option("--derivatives", options->derivatives, "Orders p,q of the two derivatives")
+      ->capture_default_str();
+  CLI::Option* quantity = command->add_option(
+      "--quantity", options->quantity,
+      "Print one quantity instead, in the words of `check`:\n" + verification::quantities_help());
+  command
+      ->add_option(
+          "--integral", options->integral,
+          "The same as --quantity \"int(...)\": \"phi' phi(l) phi(m)\" is the integral of\n"
+          "phi'(x) phi(x - l) phi(x - m) for all l, m")
+      ->excludes(quantity);
+  command->add_option("--level", options->level, "Values of phi and psi at the points k / 2^LEVEL")
+      ->capture_default_str();
+  command->add_option("--moments", options->moments, "Highest moment of moment(...)")
       ->capture_default_str();
   add_digits_option(*command, options->digits);
   command->add_option("--normalize", options->normalization, "Divide mu and nu by their index 0")

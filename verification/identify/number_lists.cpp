@@ -51,7 +51,7 @@ class Scanner {
   }
 
  private:
-  char at(std::size_t place) const { return place < line_.size() ? line_[place] : ' '; }
+  char at(std::size_t place) const { return place < line_.size() ? line_[place] : '\n'; }
 
   bool is_separator(char c) const {
     return separators.find(c) != std::string_view::npos && !(comma_is_decimal_ && c == ',');

@@ -9,6 +9,7 @@
 #include "verification/tables/gather_columns.hpp"
 #include "verification/tables/judge_print.hpp"
 #include "verification/tables/judged_column.hpp"
+#include "verification/tables/other_solution.hpp"
 
 namespace wavecurve::verification {
 
@@ -57,6 +58,22 @@ void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route
   result.detail = std::move(judged.detail);
 }
 
+/// What taps are that are not those of the filter that they are said to be.
+std::string solution_of(const JudgedColumn& column) {
+  const auto wrong = std::count_if(
+      column.rows.begin(), column.rows.end(),
+      [](const JudgedRow& row) { return row.result.verdict == PrintVerdict::discrepant; });
+  const auto rows = static_cast<std::ptrdiff_t>(column.rows.size());
+  if (!is_taps(column.result.quantity) || 2 * wrong <= rows) return "";
+  std::map<EntryIndex, double> in_order;
+  for (const JudgedRow& row : column.rows) {
+    in_order[row.result.entry.index] = row.result.entry.number.to_double();
+  }
+  std::vector<double> taps;
+  for (const auto& [index, value] : in_order) taps.push_back(value);
+  return describe_solution(taps);
+}
+
 void finish(JudgedColumn& column, const std::optional<CreditedRoute>& credit,
             std::vector<RouteScore> scores) {
   const RouteScore& route = scores[credit ? credit->route : 0];
@@ -78,6 +95,7 @@ void finish(JudgedColumn& column, const std::optional<CreditedRoute>& credit,
     if (row.wrong) judge_wrong(row, result.credited && yielded, route.name);
   }
   result.of = static_cast<int>(explained);
+  result.solution = solution_of(column);
   if (column.is_right()) scores.resize(1);
   result.routes = std::move(scores);
 }

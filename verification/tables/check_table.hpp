@@ -31,6 +31,8 @@ struct CheckedColumn {
   /// recognised; in words, empty if it does not; and the package that prints so, if one is known.
   Convention convention;
   std::string convention_text, known_as;
+  /// What the taps are by their own equations, where most are not those of the filter.
+  std::string solution;
   /// Decimals (in scientific notation: significant digits) of most of its prints; if several are as
   /// common, the largest. A bare 0 has no say.
   int digits = 0;

@@ -19,7 +19,7 @@ namespace {
 constexpr int finest_level = 20;
 
 std::optional<double> parse_integer(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && text.size() > 1 && is_digit(text[1])) text.remove_prefix(1);
   long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::result_out_of_range) return HUGE_VAL;

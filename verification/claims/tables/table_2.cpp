@@ -97,6 +97,12 @@ Outcome evaluate() {
           find_published_taps("coif2") ? find_published_taps("coif2")->name : "another publication",
           cause.rows[0][1], cause.rows[1][1])},
       cause,
+      Paragraph{
+          "The table is checked as a machine extracted it from the publication's text. The lost "
+          "zeros all stand in runs of zeros behind the point, where an extraction loses "
+          "characters, and the entries with more decimals are zeros, too: these may be faults of "
+          "the text at hand and not of the journal. The entries of the named computation survive "
+          "that doubt, for no lost character makes their digits."},
   };
   for (const CheckedColumn& column : table.columns) {
     if (column.routes.size() == 1) continue;
