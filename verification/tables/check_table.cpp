@@ -25,9 +25,10 @@ void judge_alone(JudgedRow& row, const ColumnForm& column) {
   row.in_column_form = std::move(judged.in_column_form);
 }
 
-/// An edit that leaves no digit but those of the right number, such as a lost sign, speaks for
-/// itself. Another needs a column that is otherwise accurate.
-void drop_chance_repairs(std::vector<JudgedRow>& rows) {
+/// Tells the rows that are as far off as their column is all over, and drops what explains such a one
+/// only by chance. An edit that leaves no digit but those of the right number, such as a lost sign, speaks for
+/// itself; another needs a column that is otherwise accurate.
+void compare_errors(std::vector<JudgedRow>& rows) {
   const auto keeps_digits = [](const JudgedRow& row) {
     return row.repair->repaired.significand() == row.result.entry.number.significand();
   };
@@ -35,13 +36,15 @@ void drop_chance_repairs(std::vector<JudgedRow>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JudgedRow& row = rows[i];
     if (!row.wrong || row.result.entry.number.is_fraction()) continue;
-    const bool inaccurate = !row.repair || row.repair->only_last_digit;
+    const bool is_padded = without_padding(row.value, row.result.entry.number).has_value();
+    const bool inaccurate = !is_padded && (!row.repair || row.repair->only_last_digit);
     errors[i] = error_of(row.value, row.result.entry.number, inaccurate);
   }
   const ColumnErrors all(errors);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::optional<Repair>& repair = rows[i].repair;
-    if (repair && !keeps_digits(rows[i]) && all.are_usual_as(errors[i])) repair.reset();
+    JudgedRow& row = rows[i];
+    row.has_usual_error = row.wrong && all.are_usual_as(errors[i]);
+    if (row.repair && !keeps_digits(row) && row.has_usual_error) row.repair.reset();
   }
 }
 
@@ -53,7 +56,8 @@ void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route
     result.route = route;
     return;
   }
-  JudgedPrint judged = judge_wrong_print(row.value, result.entry.number, row.repair);
+  JudgedPrint judged =
+      judge_wrong_print(row.value, result.entry.number, row.repair, !row.has_usual_error);
   result.verdict = judged.verdict;
   result.detail = std::move(judged.detail);
 }
@@ -138,7 +142,7 @@ CheckedTable check_table(const PublishedTable& table) {
   for (JudgedColumn& column : columns) {
     find_form(column);
     for (JudgedRow& row : column.rows) judge_alone(row, column.form);
-    drop_chance_repairs(column.rows);
+    compare_errors(column.rows);
   }
   FoundRoutes found = find_routes(columns);
   result.habits = std::move(found.habits);

@@ -20,7 +20,7 @@ class Collector {
     const std::size_t place = place_of(filter, row.entry);
     const auto [seen, is_new] = indices_[place].emplace(row.entry.index, &row.entry);
     if (!is_new) refuse_repetition(*seen->second, row.entry);
-    columns_[place].rows.push_back({row, {}, false, {}, {}});
+    columns_[place].rows.push_back({row, {}, false, {}, false, {}});
   }
 
  private:

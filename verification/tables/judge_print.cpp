@@ -106,14 +106,34 @@ JudgedPrint agreeing(const PrintedNumber& print, int correct, const std::string&
   return {PrintVerdict::agrees_to_digits, right_digits_text(correct, print) + why, true, {}};
 }
 
+/// Read as a double, the print is the one nearest the value: as programs print doubles, in the fewest
+/// digits that give them back.
+bool is_nearest_double(const TrueValue& value, const PrintedNumber& print) {
+  constexpr int fewest = 15, most = 17;  // that distinguish doubles
+  const int digits = print.significant_digits();
+  if (digits < fewest || digits > most) return false;
+  return decide(value, [&](const certified::Ball& enclosure) {
+           const auto nearest = certified::round_to_double(enclosure);
+           if (!nearest) return Decision::undecided;
+           return *nearest == print.to_double() ? Decision::yes : Decision::no;
+         }) == Decision::yes;
+}
+
+/// Why a print that is less than a unit off is what it is, as far as that can be proved.
+std::string near_text(const TrueValue& value, const PrintedNumber& print) {
+  if (is_nearest_double(value, print))
+    return "; read as a double it is the nearest to the true value";
+  if (is_cut_off(value, print.value(), print.decimals()) == Decision::yes) {
+    return "; the true value cut off instead of rounded";
+  }
+  return "; off by less than one unit of its last digit";
+}
+
 /// A print that is as far off as another rounding of the same value would be.
 std::optional<JudgedPrint> judge_nearly_right(const TrueValue& value, const PrintedNumber& print,
                                               int correct) {
   if (is_within_a_unit(value, print)) {
-    const bool is_cut = is_cut_off(value, print.value(), print.decimals()) == Decision::yes;
-    return agreeing(print, correct,
-                    is_cut ? "; the true value cut off instead of rounded"
-                           : "; off by less than one unit of its last digit");
+    return agreeing(print, correct, near_text(value, print));
   }
   constexpr double neighbour_of_the_rounding = 1.5;
   if (correct >= least_correct_digits &&
@@ -164,10 +184,11 @@ JudgedPrint judge_print(const TrueValue& value, const PrintedNumber& print,
 }
 
 JudgedPrint judge_wrong_print(const TrueValue& value, const PrintedNumber& print,
-                              const std::optional<Repair>& repair) {
+                              const std::optional<Repair>& repair, bool column_is_accurate) {
   const int correct = correct_digits(value, print);
   if (const auto judged = judge_nearly_right(value, print, correct)) return *judged;
-  if (const auto shorter = without_padding(value, print)) {
+  const auto shorter = column_is_accurate ? without_padding(value, print) : std::nullopt;
+  if (shorter) {
     return {PrintVerdict::form, padding_text(print, *shorter), true, {}};
   }
   if (repair) return {PrintVerdict::misprint, misprint_text(*repair), true, repair};

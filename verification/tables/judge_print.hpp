@@ -27,10 +27,11 @@ JudgedPrint judge_print(const TrueValue& value, const PrintedNumber& print,
                         const ColumnForm& column);
 
 /// The verdict of a wrong print that no route yields: agrees-to-digits, if it is a neighbour of the
-/// right one; form, if only zeros that fill it up are wrong; misprint, with the repair or, but for
-/// its sign, within a unit; else agrees-to-digits or discrepant.
+/// right one; form, if only zeros that fill it up are wrong and its column is otherwise accurate (in
+/// an inaccurate one some last digits are zeros by chance); misprint, with the repair or, but for its
+/// sign, within a unit; else agrees-to-digits or discrepant.
 JudgedPrint judge_wrong_print(const TrueValue& value, const PrintedNumber& print,
-                              const std::optional<Repair>& repair);
+                              const std::optional<Repair>& repair, bool column_is_accurate = true);
 
 /// "the true value differs from significant digit 8 on"
 std::string describe_difference(const TrueValue& value, const PrintedNumber& print);

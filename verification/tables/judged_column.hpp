@@ -21,6 +21,7 @@ struct JudgedRow {
   TrueValue value;
   bool wrong = false;  ///< proved not to be the rounded value, in whatever form
   std::optional<Repair> repair;
+  bool has_usual_error = false;  ///< as far off as its column is all over (column_errors.hpp)
   /// The right number in its column's form, where only this equals the print.
   std::optional<PrintedNumber> in_column_form;
 
