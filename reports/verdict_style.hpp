@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "verification/suite/claim_verdict.hpp"
-#include "verification/tables/print_verdict.hpp"
+#include "verification/prints/print_verdict.hpp"
 
 namespace wavecurve::reports {
 

@@ -5,7 +5,7 @@
 
 #include "wavecurve/io/files/write_file.hpp"
 
-#include "verification/tables/atlas.hpp"
+#include "verification/checker/atlas.hpp"
 
 int main(int count, char** arguments) try {
   using namespace wavecurve;

@@ -1,5 +1,5 @@
-// Every example of README.md is run again and must print what the README shows; its C++ program is
-// one of lib/examples.
+// Every example of README.md and of the guide is run again and must print what the page shows; the
+// README's C++ program is one of lib/examples.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -43,38 +43,52 @@ std::string trimmed(const std::string& text) {
   return result;
 }
 
-using Readme = ProgramTest;
-
-TEST_F(Readme, ShowsWhatTheProgramPrints) {
-  const std::filesystem::path source = WAVECURVE_SOURCE_DIR;
-  for (const char* shown : {"verification", "docs"}) {
-    std::filesystem::create_symlink(source / shown, folder_ / shown);
-  }
-  const auto examples = examples_of(io::read_file(source / "README.md"));
-  ASSERT_GE(examples.size(), 14U);
-  const std::string bin = std::filesystem::path(WAVECURVE_PROGRAM).parent_path().string();
-  for (const auto& [command, shown] : examples) {
-    const ProgramRun result = run("cd '" + folder_.string() + "' && PATH='" + bin +
-                                  "':\"$PATH\" && { " + command + "; }");
-    std::string printed = trimmed(result.out + result.err), expected = trimmed(shown);
-    if (expected.ends_with("\n...\n")) {
-      expected.resize(expected.size() - 4);
-      printed.resize(std::min(printed.size(), expected.size()));
+/// Runs a page's examples one after the other in a folder where verification and docs stand.
+class Pages : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    for (const char* shown : {"verification", "docs"}) {
+      std::filesystem::create_symlink(source_ / shown, folder_ / shown);
     }
-    EXPECT_EQ(printed, expected) << command;
+  }
+
+  void expect_truth_of(const std::filesystem::path& page, std::size_t least_examples) {
+    const auto examples = examples_of(io::read_file(page));
+    EXPECT_GE(examples.size(), least_examples) << page;
+    const std::string bin = std::filesystem::path(WAVECURVE_PROGRAM).parent_path().string();
+    for (const auto& [command, shown] : examples) {
+      const ProgramRun result = run("cd '" + folder_.string() + "' && PATH='" + bin +
+                                    "':\"$PATH\" && { " + command + "; }");
+      std::string printed = trimmed(result.out + result.err), expected = trimmed(shown);
+      if (expected.ends_with("\n...\n")) {
+        expected.resize(expected.size() - 4);
+        printed.resize(std::min(printed.size(), expected.size()));
+      }
+      EXPECT_EQ(printed, expected) << page << ": " << command;
+    }
+  }
+
+  const std::filesystem::path source_ = WAVECURVE_SOURCE_DIR;
+};
+
+TEST_F(Pages, TheReadmeShowsWhatTheProgramPrints) { expect_truth_of(source_ / "README.md", 14); }
+
+TEST_F(Pages, TheGuideShowsWhatTheProgramPrints) {
+  for (const auto& page : std::filesystem::directory_iterator(source_ / "docs" / "guide")) {
+    if (page.path().extension() == ".md") expect_truth_of(page.path(), 1);
   }
 }
 
 /// Which is compiled, run, and held against what it says that it prints: lib/examples.
-TEST_F(Readme, ShowsAnExampleWordForWord) {
-  const std::filesystem::path source = WAVECURVE_SOURCE_DIR;
-  const std::string readme = io::read_file(source / "README.md");
+TEST_F(Pages, TheReadmeShowsAnExampleWordForWord) {
+  const std::string readme = io::read_file(source_ / "README.md");
   const std::string opening = "```cpp\n";
   const auto begin = readme.find(opening);
   ASSERT_NE(begin, std::string::npos);
   const auto end = readme.find("```\n", begin + opening.size());
   EXPECT_EQ(readme.substr(begin + opening.size(), end - begin - opening.size()),
-            io::read_file(source / "lib/examples/stiffness.cpp"));
+            io::read_file(source_ / "lib/examples/stiffness.cpp"));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "wavecurve/io/files/detail/csv.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "verification/tables/check_table.hpp"
-#include "verification/tables/route_chance.hpp"
+#include "verification/checker/check_table.hpp"
+#include "verification/routes/route_chance.hpp"
 #include "verification/tables/table_columns.hpp"
 
 namespace wavecurve::tools {

@@ -15,7 +15,7 @@
 
 #include "tools/commands/coefficients_quantity.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/number_format.hpp"
+#include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
 

@@ -7,7 +7,7 @@
 
 #include "wavecurve/io/files/detail/csv.hpp"
 
-#include "tools/commands/number_format.hpp"
+#include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
 

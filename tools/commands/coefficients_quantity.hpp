@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "verification/tables/list_quantity.hpp"
+#include "verification/quantities/list_quantity.hpp"
 
 namespace wavecurve::tools {
 

@@ -16,9 +16,9 @@
 
 #include "reports/write_study.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/commands/number_format.hpp"
+#include "tools/commands/output/number_format.hpp"
+#include "tools/commands/output/study_text.hpp"
 #include "tools/commands/progress.hpp"
-#include "tools/commands/study_text.hpp"
 #include "verification/study/named_shapes.hpp"
 #include "verification/study/study_journal.hpp"
 #include "verification/study/study_json.hpp"

@@ -20,7 +20,7 @@
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/number_format.hpp"
+#include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
 

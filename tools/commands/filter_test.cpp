@@ -123,7 +123,7 @@ TEST_F(FilterCommand, AFilterOfFewDigitsIsAcceptedForWhatItIs) {
 TEST_F(FilterCommand, AnyNameGivesAHeaderThatCompiles) {
   io::write_file(folder_ / "main.cpp", "#include \"own.hpp\"\nint main() {}\n");
   for (const char* name : {R"(x\n#error no comment\n//)", "int", "linux", "__x", "9/7", "",
-                           R"(x\\)", R"(\u00e9*/ \u2028)", "??/"}) {
+                           R"(x\\)", R"(\u00e9*/ \u2028)", "?\?/"}) {
     io::write_file(folder_ / "own.json",
                    std::string(R"({"taps": ["1", "1"], "sum": "2", "name": ")") + name + "\"}");
     for (const char* command : {"filter", "coefficients --derivatives 0,0"}) {

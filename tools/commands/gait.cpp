@@ -18,7 +18,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/drawing_input.hpp"
-#include "tools/commands/gait_table.hpp"
+#include "tools/commands/output/gait_table.hpp"
 #include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {

@@ -15,7 +15,7 @@
 #include "wavecurve/io/files/read_file.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/number_format.hpp"
+#include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
 

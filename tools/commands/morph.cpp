@@ -19,9 +19,9 @@
 #include "wavecurve/motion/there_and_back.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/crossings_table.hpp"
 #include "tools/commands/drawing_input.hpp"
 #include "tools/commands/motion_options.hpp"
+#include "tools/commands/output/crossings_table.hpp"
 #include "tools/commands/progress.hpp"
 
 namespace wavecurve::tools {

@@ -111,7 +111,8 @@ void verify(const VerifyOptions& given, ExitCode& exit_code) {
   const std::string date = reports::date_of_report();
 
   const bool watched = isatty(STDERR_FILENO) != 0;
-  const auto results = run_claims(chosen, watched ? verification::Progress(show_progress) : verification::Progress());
+  const auto results = run_claims(
+      chosen, watched ? verification::Progress(show_progress) : verification::Progress());
   reports::write_report({{}, date, WAVECURVE_VERSION, results}, options.output);
   fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
              (options.output / "index.html").string());

@@ -47,11 +47,11 @@ struct Magnitude {
 };
 
 /// All magnitudes of all columns, sorted.
-class Index {
+class MagnitudeIndex {
  public:
   enum class Divisor { one, largest_entry };
 
-  explicit Index(Divisor divisor) {
+  explicit MagnitudeIndex(Divisor divisor) {
     const auto& columns = known_columns();
     for (std::size_t c = 0; c < columns.size(); ++c) {
       double largest = 0;
@@ -101,7 +101,8 @@ struct Candidate {
 };
 
 std::vector<Candidate> candidates_of(const Query& query) {
-  static const Index plain(Index::Divisor::one), divided(Index::Divisor::largest_entry);
+  static const MagnitudeIndex plain(MagnitudeIndex::Divisor::one),
+      divided(MagnitudeIndex::Divisor::largest_entry);
   std::map<std::pair<std::size_t, int>, int> votes;
   std::map<std::size_t, int> votes_of_divided;
   for (const std::size_t i : telling_numbers(query)) {

@@ -5,7 +5,7 @@
 
 #include "verification/identify/known_columns.hpp"
 #include "verification/identify/number_lists.hpp"
-#include "verification/tables/convention.hpp"
+#include "verification/quantities/convention.hpp"
 
 namespace wavecurve::verification {
 

@@ -19,9 +19,9 @@ namespace wavecurve::verification {
 namespace {
 
 /// Adds the columns of one filter.
-class Collector {
+class FilterColumns {
  public:
-  Collector(std::string filter, std::vector<KnownColumn>& columns)
+  FilterColumns(std::string filter, std::vector<KnownColumn>& columns)
       : bank_(find_filter_bank(filter)), filter_(std::move(filter)), columns_(columns) {}
 
   void add_all() {
@@ -120,7 +120,7 @@ const std::vector<KnownColumn>& known_columns() {
   static const std::vector<KnownColumn> columns = [] {
     std::vector<KnownColumn> result;
     for (const std::string& name : certified::filter_names()) {
-      Collector(name, result).add_all();
+      FilterColumns(name, result).add_all();
     }
     return result;
   }();

@@ -5,7 +5,7 @@
 
 #include "wavecurve/filters/filter.hpp"
 
-#include "verification/tables/quantity.hpp"
+#include "verification/quantities/quantity.hpp"
 
 namespace wavecurve::verification {
 

@@ -6,15 +6,15 @@
 
 #include "wavecurve/io/files/detail/text.hpp"
 
-#include "verification/tables/number_forms.hpp"
-#include "verification/tables/text_encoding.hpp"
+#include "verification/prints/number_forms.hpp"
+#include "verification/prints/text_encoding.hpp"
 
 namespace wavecurve::verification {
 
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_word(char c) { return is_letter(c) || is_digit(c); }
+bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool continues_name(char c) { return begins_name(c) || is_digit(c); }
 
 /// A line without what programs and tables say in comments.
 std::string_view without_comment(std::string_view line) {
@@ -59,7 +59,7 @@ class Scanner {
 
   void step() {
     const char c = line_[place_];
-    if (is_letter(c)) {
+    if (begins_name(c)) {
       read_word();
     } else if (c == '(' && at(place_ + 1) == '/') {  // (/ ... /) of Fortran
       tokens_.push_back({Token::open, "("});
@@ -81,7 +81,8 @@ class Scanner {
   /// A name and what belongs to it: h, np.array, real(8), h[8] =, h(0:7) =, c( of R.
   void read_word() {
     const std::size_t begin = place_;
-    while (is_word(at(place_)) || (at(place_) == '.' && is_letter(at(place_ + 1)))) ++place_;
+    while (continues_name(at(place_)) || (at(place_) == '.' && begins_name(at(place_ + 1))))
+      ++place_;
     const std::string name(line_.substr(begin, place_ - begin));
     skip_subscript();
     std::size_t next = place_;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/tables/printed_number.hpp"
+#include "verification/prints/printed_number.hpp"
 
 namespace wavecurve::verification {
 

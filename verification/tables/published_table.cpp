@@ -12,9 +12,9 @@
 #include "wavecurve/io/files/detail/text.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
-#include "verification/tables/number_forms.hpp"
+#include "verification/prints/number_forms.hpp"
+#include "verification/prints/text_encoding.hpp"
 #include "verification/tables/table_columns.hpp"
-#include "verification/tables/text_encoding.hpp"
 
 namespace wavecurve::verification {
 

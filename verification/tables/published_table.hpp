@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/tables/convention.hpp"
-#include "verification/tables/entry_index.hpp"
-#include "verification/tables/printed_number.hpp"
-#include "verification/tables/quantity.hpp"
+#include "verification/prints/printed_number.hpp"
+#include "verification/quantities/convention.hpp"
+#include "verification/quantities/entry_index.hpp"
+#include "verification/quantities/quantity.hpp"
 
 namespace wavecurve::verification {
 

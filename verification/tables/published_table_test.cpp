@@ -127,7 +127,8 @@ TEST(PublishedTable, TakesDefaultsFromComments) {
   EXPECT_EQ(filled.entries[0].filter, "D8");
   EXPECT_EQ(filled.entries[1].filter, "db4");
   EXPECT_EQ(filled.entries[1].quantity, Quantity::mu);
-  EXPECT_TRUE(refusal("# quantity: x\n").starts_with("t.csv:1: the quantity 'x' is not understood"));
+  EXPECT_TRUE(
+      refusal("# quantity: x\n").starts_with("t.csv:1: the quantity 'x' is not understood"));
   EXPECT_TRUE(refusal("# filter:\n").starts_with("t.csv:1: the filter's name is missing"));
 }
 

@@ -6,7 +6,7 @@
 #include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
 
-#include "verification/tables/printed_number.hpp"
+#include "verification/prints/printed_number.hpp"
 
 namespace wavecurve::verification {
 

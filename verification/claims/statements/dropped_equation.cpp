@@ -9,8 +9,8 @@
 #include "wavecurve/certified/linear_solve.hpp"
 #include "wavecurve/filters/two_scale_matrix.hpp"
 
+#include "verification/routes/moment_condition.hpp"
 #include "verification/suite/claim.hpp"
-#include "verification/tables/moment_condition.hpp"
 
 namespace wavecurve::verification::dropped_equation_claim {
 

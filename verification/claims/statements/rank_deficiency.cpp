@@ -9,8 +9,8 @@
 #include "wavecurve/filters/autocorrelation.hpp"
 #include "wavecurve/filters/two_scale_matrix.hpp"
 
+#include "verification/routes/moment_condition.hpp"
 #include "verification/suite/claim.hpp"
-#include "verification/tables/moment_condition.hpp"
 
 namespace wavecurve::verification::rank_deficiency_claim {
 

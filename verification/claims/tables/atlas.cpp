@@ -1,6 +1,6 @@
 // The tables of filters and integrals that programs, packages and encyclopedias carry, and that
 // people copy: every one judged as the publication's own are.
-#include "verification/tables/atlas.hpp"
+#include "verification/checker/atlas.hpp"
 
 #include <algorithm>
 #include <numeric>

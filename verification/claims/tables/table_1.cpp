@@ -1,8 +1,8 @@
 // Table 1: alpha, mu/mu_0 and nu/nu_0 of D8. Each print is held against the exact fraction.
+#include "verification/checker/check_table.hpp"
+#include "verification/checker/table_evidence.hpp"
 #include "verification/suite/claim.hpp"
 #include "verification/suite/data_folder.hpp"
-#include "verification/tables/check_table.hpp"
-#include "verification/tables/table_evidence.hpp"
 
 namespace wavecurve::verification::table_1 {
 

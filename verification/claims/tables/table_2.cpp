@@ -7,12 +7,12 @@
 
 #include "wavecurve/operators/two_scale_system.hpp"
 
+#include "verification/checker/check_table.hpp"
+#include "verification/checker/table_evidence.hpp"
+#include "verification/routes/routes.hpp"
 #include "verification/suite/claim.hpp"
 #include "verification/suite/data_folder.hpp"
-#include "verification/tables/check_table.hpp"
 #include "verification/tables/published_taps.hpp"
-#include "verification/tables/routes.hpp"
-#include "verification/tables/table_evidence.hpp"
 
 namespace wavecurve::verification::table_2 {
 

@@ -74,8 +74,9 @@ std::optional<Index> start_of(const std::string& id, const MorphOptions& options
 
 void check_starts(const Layers& source, const MorphOptions& options) {
   for (const auto& [id, start] : options.starts) {
-    const bool is_known = std::any_of(source.begin(), source.end(),
-                                      [&wanted = id](const auto& layer) { return layer.id == wanted; });
+    const bool is_known =
+        std::any_of(source.begin(), source.end(),
+                    [&wanted = id](const auto& layer) { return layer.id == wanted; });
     if (!is_known) {
       throw std::invalid_argument(
           fmt::format("the start {}={} fits no layer of the source", id, start));
