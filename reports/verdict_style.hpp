@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "verification/suite/claim_verdict.hpp"
 #include "verification/prints/print_verdict.hpp"
+#include "verification/suite/claim_verdict.hpp"
 
 namespace wavecurve::reports {
 

@@ -361,5 +361,29 @@ RC_GTEST_PROP(CheckTable, OneUnitIsNeitherCertifiedNorAMisprint, (bool up)) {
   RC_ASSERT(table.rows[0].verdict == PrintVerdict::agrees_to_digits);
 }
 
+TEST(CheckTable, AnEnormousPrintIsNoCrash) {
+  const CheckedTable table = check_table(parse_published_table(
+      "filter,quantity,index,printed\nK2,alpha,0,-1e308\nK2,alpha,1,1.200356164723\n"
+      "K2,mu/mu0,0,1.000000000000\nK2,mu/mu0,1,-0.632970245318\nK2,mu/mu0,2,0.168115616035\n",
+      "t.csv"));
+  EXPECT_EQ(table.rows.front().verdict, PrintVerdict::discrepant);
+}
+
+TEST(CheckTable, ManyFiltersAreRefusedBeforeTheyTakeMinutes) {
+  std::string text = "# quantity: h\nfilter,index,printed\n";
+  for (int order = 1; order <= 50; ++order) {
+    for (int dual = order % 2 == 0 ? 2 : 1; dual <= 10; dual += 2) {
+      text += "bspline" + std::to_string(order) + "." + std::to_string(dual) + ",0,0.1\n";
+    }
+  }
+  try {
+    check_table(parse_published_table(text, "t.csv"));
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "t.csv:203: the table names more than 200 filters; check it in parts");
+  }
+}
+
 }  // namespace
 }  // namespace wavecurve::verification

@@ -102,6 +102,10 @@ void at_row(const PublishedTable& table, const CheckedRow& row, Step step) {
 FilterValues& TableFilters::find(const std::string& name) {
   const auto known = by_table_name_.find(name);
   if (known != by_table_name_.end()) return *known->second;
+  if (by_canonical_name_.size() >= most_filters) {
+    throw std::invalid_argument(
+        fmt::format("the table names more than {} filters; check it in parts", most_filters));
+  }
   certified::FilterDefinition definition = find_table_filter(name);
   // A user's file may call itself what it likes.
   const std::string canonical = name.ends_with(".json") ? name : definition.name;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,10 +11,13 @@
 
 namespace wavecurve::verification {
 
+/// A table of all families has fewer, and the longest filters take a tenth of a second each.
+inline constexpr std::size_t most_filters = 200;
+
 /// Filters of a table under their canonical names; a filter's values stay where they are.
 class TableFilters {
  public:
-  /// Throws as find_table_filter does.
+  /// Throws as find_table_filter does, and std::invalid_argument for more than most_filters.
   FilterValues& find(const std::string& name);
 
  private:

@@ -89,8 +89,11 @@ FilterValues::FilterValues(certified::FilterDefinition definition)
 
 const Sequence& FilterValues::sequence(const Quantity& bare, const EntryIndex& sample, long bits) {
   const std::tuple key(to_string(bare), detail_of(bare, sample), bits);
-  const auto known = sequences_.find(key);
-  if (known != sequences_.end()) return known->second;
+  // Finer points, or more moments, hold the coarser and the fewer.
+  for (auto known = sequences_.lower_bound(key);
+       known != sequences_.end() && std::get<0>(known->first) == std::get<0>(key); ++known) {
+    if (std::get<2>(known->first) == bits) return known->second;
+  }
   Sequence computed =
       bare.family->compute(definition_, bare.factors, sample_for(bare, sample), bits);
   return sequences_.emplace(key, std::move(computed)).first->second;
