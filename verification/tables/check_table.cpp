@@ -47,15 +47,17 @@ void drop_chance_repairs(std::vector<JudgedRow>& rows) {
 
 void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
+  result.departure = departure(row.value, result.entry.number);
   if (yielded_by_route) {
     result.verdict = PrintVerdict::published_route;
-    result.detail = describe_difference(row.value, result.entry.number);
+    result.detail = describe_difference(*result.departure, result.entry.number);
     result.route = route;
     return;
   }
   JudgedPrint judged = judge_wrong_print(row.value, result.entry.number, row.repair);
   result.verdict = judged.verdict;
   result.detail = std::move(judged.detail);
+  if (result.verdict == PrintVerdict::form) result.departure.reset();
 }
 
 /// What taps are that are not those of the filter that they are said to be.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "verification/tables/column_routes.hpp"
 #include "verification/tables/convention.hpp"
+#include "verification/tables/print_form.hpp"
 #include "verification/tables/print_verdict.hpp"
 #include "verification/tables/published_table.hpp"
 
@@ -21,6 +23,9 @@ struct CheckedRow {
   double ulps = 0;
   std::string detail;
   std::string route;  ///< the computation that yields the print, for published-route
+  /// Where the print departs from the true value; nothing for a print that is right or only in
+  /// another form.
+  std::optional<Departure> departure = {};
 };
 
 /// The rows of one filter and quantity.
