@@ -138,7 +138,9 @@ legend { color: var(--muted); font-size: .875rem; padding: 0; }
   .scroll th, .scroll td { padding: .2rem .4rem; }
   .scroll thead th { min-width: 0; }
   .clamp { -webkit-line-clamp: none; display: block; }
-  .print code { width: auto; max-width: 45mm; }
+  .scroll .checked { font-size: 7pt; overflow-wrap: break-word; }
+  .checked .verdict { font-size: 7pt; padding: 0 .25rem; }
+  .print code { max-width: 28mm; }
   input { display: none; }
   .verdict { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }

@@ -90,7 +90,7 @@ std::string counts_html(const CheckedTable& table) {
 
 std::string rows_html(const CheckedTable& table) {
   std::string html =
-      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"rows\">\n<table>\n"
+      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"rows\">\n<table class=\"checked\">\n"
       "<caption id=\"rows\">Printed numbers beside the certified ones; marked is what departs from "
       "the true value; distances are in units of the print's last digit<span id=\"shown\" "
       "role=\"status\"></span></caption>\n<thead><tr>";
