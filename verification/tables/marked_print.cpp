@@ -71,7 +71,10 @@ std::vector<PrintPart> marked_print(const std::string& text, const PrintedNumber
   }
   if (departure->digit) {
     const std::size_t digit = std::max(*departure->digit, found->left_out) - found->left_out;
-    const Range wrong{found->bytes[digit], found->bytes.back() + 1};
+    const std::size_t last = departure->end > digit + found->left_out
+                                 ? found->bytes[departure->end - found->left_out - 1]
+                                 : found->bytes.back();
+    const Range wrong{found->bytes[digit], last + 1};
     if (wrong.begin > done) add({done, wrong.begin}, false);
     add(wrong, true);
   }

@@ -19,7 +19,7 @@ struct PrintPart {
 };
 
 /// The text of a print cut where it departs, so that the parts put together are the text: a wrong sign,
-/// and the digits of the mantissa from the first wrong one on. `number` is what the text was read
+/// and the digits of the mantissa from the first wrong one to the last. `number` is what the text was read
 /// as. A fraction departs as a whole, and so does a text whose digits are not those of the number.
 std::vector<PrintPart> marked_print(const std::string& text, const PrintedNumber& number,
                                     const std::optional<Departure>& departure);

@@ -28,6 +28,11 @@ TEST(MarkedPrint, MarksFromTheFirstWrongDigitOn) {
   EXPECT_EQ(marked("0.0025", 1), "0.[0025]") << "a zero that should be a digit";
 }
 
+TEST(MarkedPrint, LeavesDigitsThatAreKnownToBeRight) {
+  EXPECT_EQ(marked("0.63188077", Departure{false, 3, 4}), "0.63[1]88077");
+  EXPECT_EQ(marked(".63188077", Departure{false, 3, 5}), ".63[18]8077");
+}
+
 TEST(MarkedPrint, LeavesExponentsAndSuffixesAlone) {
   EXPECT_EQ(marked("1.25e-25", 2), "1.2[5]e-25");
   EXPECT_EQ(marked("1.25d+02", 2), "1.2[5]d+02");

@@ -191,7 +191,7 @@ std::optional<PrintedNumber> without_padding(const TrueValue& value, const Print
 }
 
 Departure departure(const PrintedNumber& print, const PrintedNumber& right) {
-  if (print.is_fraction()) return {false, 0};
+  if (print.is_fraction()) return {false, 0, 0};
   std::string printed = print.digits, true_digits = right.digits;
   const int missing = print.decimals() - right.decimals();
   const auto size = static_cast<int>(true_digits.size());
@@ -209,7 +209,7 @@ Departure departure(const PrintedNumber& print, const PrintedNumber& right) {
 }
 
 Departure departure(const TrueValue& value, const PrintedNumber& print) {
-  constexpr Departure from_the_first{false, 0};
+  constexpr Departure from_the_first{false, 0, 0};
   if (print.is_fraction()) return from_the_first;
   const auto right = print.decimals() >= 0 ? round_to_decimals(value, print.decimals())
                                            : round_to_digits(value, print.significant_digits());

@@ -64,6 +64,8 @@ struct Departure {
   /// The first digit that differs, place by place, as an index into PrintedNumber::digits; the first
   /// of all if the right number has more places before the point. Nothing if none differs.
   std::optional<std::size_t> digit;
+  /// One past the last digit that is wrong, where those behind it are known to be right; else 0.
+  std::size_t end = 0;
 
   bool operator==(const Departure&) const = default;
 };

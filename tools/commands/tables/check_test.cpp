@@ -15,7 +15,7 @@
 namespace wavecurve::tools {
 namespace {
 
-/// An added sign, a wrong digit with all that follow it, a lost sign.
+/// An added sign, a wrong digit, a lost sign.
 const std::string wrong_table =
     "# filter: D8\n# quantity: h\nindex,printed\n"
     "0,0.23037781\n1,-0.71484657\n2,0.63188077\n3,-0.02798377\n"
@@ -105,10 +105,10 @@ TEST_F(CheckCommand, ExplainsWithCaretsWhereAPrintDeparts) {
   EXPECT_NE(out.find("\nD8      h         1      -0.71484657  0.71484657   "), std::string::npos)
       << out;
   EXPECT_NE(out.find("\n" + std::string(25, ' ') + "^\n"), std::string::npos) << out;
-  EXPECT_NE(out.find("\n" + std::string(29, ' ') + "^^^^^^\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("\n" + std::string(29, ' ') + "^\n"), std::string::npos) << out;
   EXPECT_NE(out.find("\n" + std::string(24, ' ') + "^\n"), std::string::npos)
       << "a lost sign: " << out;
-  EXPECT_EQ(std::ranges::count(out, '^'), 8);
+  EXPECT_EQ(std::ranges::count(out, '^'), 3);
   EXPECT_EQ(wavecurve("check t.csv").out.find('^'), std::string::npos);
   EXPECT_EQ(wavecurve("check " + table_1_ + " --explain").out.find('^'), std::string::npos);
   expect_refusal("check t.csv --explain --format json", "text with --explain");
@@ -141,7 +141,7 @@ TEST_F(CheckCommand, ColoursDepartingDigitsOnATerminalOnly) {
     });
   };
   const std::string coloured = shown("env -u NO_COLOR TERM=xterm");
-  EXPECT_NE(coloured.find("0.63\x1b[1;31m188077\x1b[0m"), std::string::npos) << coloured;
+  EXPECT_NE(coloured.find("0.63\x1b[1;31m1\x1b[0m88077"), std::string::npos) << coloured;
   EXPECT_NE(coloured.find("\x1b[1;31m-\x1b[0m0.71484657"), std::string::npos) << coloured;
   EXPECT_NE(coloured.find(" \x1b[41m \x1b[0m0.18703481"), std::string::npos) << coloured;
   EXPECT_NE(coloured.find(" 0.23037781 "), std::string::npos) << coloured;
@@ -160,7 +160,7 @@ TEST_F(CheckCommand, WritesAPage) {
   EXPECT_NE(result.out.find("0.63188077"), std::string::npos) << "the terminal has its table, too";
   const std::string page = io::read_file(folder_ / "page.html");
   for (const char* part :
-       {"<h1>&lt;b&gt;One&lt;/b&gt; &amp; two</h1>", "<code>0.63<mark>188077</mark></code>",
+       {"<h1>&lt;b&gt;One&lt;/b&gt; &amp; two</h1>", "<code>0.63<mark>1</mark>88077</code>",
         "<code><mark>-</mark>0.71484657</code>", "a sign is missing", "<code>0.23037781</code>",
         "<tr data-verdict=\"certified\">", "value=\"misprint\" checked",
         "<h2>What the verdicts mean",
