@@ -14,14 +14,6 @@ using namespace verification;
 
 constexpr const char* report_title = "Verification of the published numbers and claims";
 
-/// The symbol is decoration, the word is what counts: a screen reader is spared the symbol.
-template <class Verdict>
-std::string badge(Verdict verdict) {
-  const VerdictStyle style = style_of(verdict);
-  return "<span class=\"verdict " + std::string(style.tone) + "\"><span aria-hidden=\"true\">" +
-         std::string(style.symbol) + "</span> " + std::string(to_string(verdict)) + "</span>";
-}
-
 std::string header(const Report& report) {
   const Publication& publication = report.publication;
   return "<a class=\"skip\" href=\"#summary\">Skip to the summary</a>\n<header>\n<h1>" +

@@ -93,6 +93,16 @@ figcaption { margin-top: .5rem; max-width: 46rem; }
 .long { max-height: 40rem; overflow-y: auto; border-bottom: 1px solid var(--line); }
 .long thead th { position: sticky; top: 0; background: var(--ground); }
 .back { font-size: .875rem; }
+mark {
+  color: var(--bad); background: var(--bad-ground); font-weight: 700;
+  text-decoration: underline; text-underline-offset: .2em;
+}
+.print code {
+  display: inline-block; width: max-content; max-width: 15rem; overflow-wrap: anywhere;
+}
+.sentences { padding-left: 1.25rem; max-width: 60rem; }
+fieldset { border: 0; margin: 1rem 0; padding: 0; }
+legend { color: var(--muted); font-size: .875rem; padding: 0; }
 @media (max-width: 40rem) {
   body { padding: 1.25rem 1rem 3rem; }
   h1 { font-size: 1.5rem; }
@@ -128,6 +138,10 @@ figcaption { margin-top: .5rem; max-width: 46rem; }
   .scroll th, .scroll td { padding: .2rem .4rem; }
   .scroll thead th { min-width: 0; }
   .clamp { -webkit-line-clamp: none; display: block; }
+  .scroll .checked { font-size: 7pt; overflow-wrap: break-word; }
+  .checked .verdict { font-size: 7pt; padding: 0 .25rem; }
+  .print code { max-width: 28mm; }
+  input { display: none; }
   .verdict { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )";

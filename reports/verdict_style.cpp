@@ -7,6 +7,15 @@ namespace wavecurve::reports {
 using verification::ClaimVerdict;
 using verification::PrintVerdict;
 
+namespace {
+
+std::string styled(std::string_view word, const VerdictStyle& style) {
+  return "<span class=\"verdict " + std::string(style.tone) + "\"><span aria-hidden=\"true\">" +
+         std::string(style.symbol) + "</span> " + std::string(word) + "</span>";
+}
+
+}  // namespace
+
 VerdictStyle style_of(PrintVerdict verdict) {
   switch (verdict) {
     case PrintVerdict::certified:
@@ -61,5 +70,8 @@ VerdictStyle style_of(ClaimVerdict verdict) {
   }
   throw std::invalid_argument("no style for this verdict of a claim");
 }
+
+std::string badge(ClaimVerdict verdict) { return styled(to_string(verdict), style_of(verdict)); }
+std::string badge(PrintVerdict verdict) { return styled(to_string(verdict), style_of(verdict)); }
 
 }  // namespace wavecurve::reports

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "verification/prints/print_verdict.hpp"
@@ -16,5 +17,10 @@ struct VerdictStyle {
 
 VerdictStyle style_of(verification::ClaimVerdict verdict);
 VerdictStyle style_of(verification::PrintVerdict verdict);
+
+/// The verdict as HTML. The symbol is decoration, the word is what counts: a screen reader is spared
+/// the symbol.
+std::string badge(verification::ClaimVerdict verdict);
+std::string badge(verification::PrintVerdict verdict);
 
 }  // namespace wavecurve::reports

@@ -1,5 +1,5 @@
 // A browser, a folder of files to play, and lines that say what was seen. Usage of every test:
-//   node NAME.mjs WRITE-PLAYER-FILES [CHROMIUM]
+//   node NAME.mjs WRITE-PLAYER-FILES [CHROMIUM [WAVECURVE]]
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

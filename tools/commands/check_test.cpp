@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +14,12 @@
 
 namespace wavecurve::tools {
 namespace {
+
+/// An added sign, a wrong digit, a lost sign.
+const std::string wrong_table =
+    "# filter: D8\n# quantity: h\nindex,printed\n"
+    "0,0.23037781\n1,-0.71484657\n2,0.63188077\n3,-0.02798377\n"
+    "4,0.18703481\n5,0.03084138\n6,0.03288301\n7,-0.01059740\n";
 
 class CheckCommand : public ProgramTest {
  protected:
@@ -86,6 +97,86 @@ TEST_F(CheckCommand, RefusesWhatHasNoEndOrNoBound) {
     expect_refusal("check /dev/zero", "larger than 67108864");
   io::write_file(folder_ / "t.csv", "filter,quantity,index,printed\nD8,mu,-2147483648,1\n");
   expect_refusal("check t.csv", "t.csv:2: the index '-2147483648' is out of range");
+}
+
+TEST_F(CheckCommand, ExplainsWithCaretsWhereAPrintDeparts) {
+  io::write_file(folder_ / "t.csv", wrong_table);
+  const std::string out = wavecurve("check t.csv --explain").out;
+  EXPECT_NE(out.find("\nD8      h         1      -0.71484657  0.71484657   "), std::string::npos)
+      << out;
+  EXPECT_NE(out.find("\n" + std::string(25, ' ') + "^\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("\n" + std::string(29, ' ') + "^\n"), std::string::npos) << out;
+  EXPECT_NE(out.find("\n" + std::string(24, ' ') + "^\n"), std::string::npos)
+      << "a lost sign: " << out;
+  EXPECT_EQ(std::ranges::count(out, '^'), 3);
+  EXPECT_EQ(wavecurve("check t.csv").out.find('^'), std::string::npos);
+  EXPECT_EQ(wavecurve("check " + table_1_ + " --explain").out.find('^'), std::string::npos);
+  expect_refusal("check t.csv --explain --format json", "text with --explain");
+}
+
+/// What a command writes to a terminal.
+std::string shown_by_a_terminal(const std::function<void(const std::string&)>& run_with_output) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(::grantpt(terminal), 0);
+  EXPECT_EQ(::unlockpt(terminal), 0);
+  const char* name = ::ptsname(terminal);
+  // As long as one holds it open, what was written stays to be read.
+  const int held = ::open(name, O_RDWR | O_NOCTTY);
+  run_with_output(name);
+  constexpr std::size_t most = 1 << 16;
+  std::string text(most, '\0');
+  const auto count = ::read(terminal, text.data(), text.size());
+  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  ::close(held);
+  ::close(terminal);
+  return text;
+}
+
+TEST_F(CheckCommand, ColoursDepartingDigitsOnATerminalOnly) {
+  io::write_file(folder_ / "t.csv", wrong_table);
+  const auto shown = [&](const std::string& environment) {
+    return shown_by_a_terminal([&](const std::string& terminal) {
+      run("cd '" + folder_.string() + "' && " + environment +
+          " '" WAVECURVE_PROGRAM "' check t.csv >" + terminal + " 2>&1 || echo");
+    });
+  };
+  const std::string coloured = shown("env -u NO_COLOR TERM=xterm");
+  EXPECT_NE(coloured.find("0.63\x1b[1;31m1\x1b[0m88077"), std::string::npos) << coloured;
+  EXPECT_NE(coloured.find("\x1b[1;31m-\x1b[0m0.71484657"), std::string::npos) << coloured;
+  EXPECT_NE(coloured.find(" \x1b[41m \x1b[0m0.18703481"), std::string::npos) << coloured;
+  EXPECT_NE(coloured.find(" 0.23037781 "), std::string::npos) << coloured;
+  for (const char* environment : {"env NO_COLOR=1 TERM=xterm", "env -u NO_COLOR TERM=dumb"}) {
+    const std::string plain = shown(environment);
+    EXPECT_NE(plain.find("0.63188077"), std::string::npos) << plain;
+    EXPECT_EQ(plain.find('\x1b'), std::string::npos) << plain;
+  }
+  EXPECT_EQ(wavecurve("check t.csv").out.find('\x1b'), std::string::npos);
+}
+
+TEST_F(CheckCommand, WritesAPage) {
+  io::write_file(folder_ / "t.csv", "# title: <b>One</b> & two\n" + wrong_table);
+  const ProgramRun result = wavecurve("check t.csv -o page.html");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("0.63188077"), std::string::npos) << "the terminal has its table, too";
+  const std::string page = io::read_file(folder_ / "page.html");
+  for (const char* part :
+       {"<h1>&lt;b&gt;One&lt;/b&gt; &amp; two</h1>", "<code>0.63<mark>1</mark>88077</code>",
+        "<code><mark>-</mark>0.71484657</code>", "a sign is missing", "<code>0.23037781</code>",
+        "<tr data-verdict=\"certified\">", "value=\"misprint\" checked",
+        "<h2>What the verdicts mean",
+        "column by column</h2>\n<ul class=\"sentences\">\n<li>D8 h (8 decimals): "}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  for (const char* network : {"http:", "https:", "src=", "href=", "@import", "url("}) {
+    EXPECT_EQ(page.find(network), std::string::npos) << network;
+  }
+}
+
+TEST_F(CheckCommand, RefusesAPageThatCannotBe) {
+  io::write_file(folder_ / "t.csv", wrong_table);
+  expect_refusal("check t.csv -o t.csv", "a file ending in .html");
+  EXPECT_EQ(io::read_file(folder_ / "t.csv"), wrong_table) << "nothing is lost";
+  EXPECT_EQ(wavecurve("check t.csv -o no/such/folder/page.html").exit_code, 3);
 }
 
 TEST_F(CheckCommand, TwoRunsGiveTheSameBytes) {

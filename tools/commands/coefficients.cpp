@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <memory>
@@ -15,6 +16,7 @@
 
 #include "tools/commands/coefficients_quantity.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
@@ -128,6 +130,29 @@ std::string coefficients_as_text(const FilterDefinition& definition,
   return text;
 }
 
+/// The sequences side by side, with the largest radius of each; fractions are left to the other formats.
+MarkupTable coefficients_as_markup(const FilterDefinition& definition,
+                                   const CoefficientsOptions& options, Orders orders,
+                                   const std::vector<Column>& columns) {
+  MarkupTable table{
+      fmt::format("Connection coefficients of {}, derivatives {},{}, normalization {}",
+                  definition.name, orders.p, orders.q, options.normalization),
+      {"index"},
+      {},
+      {}};
+  std::size_t size = 0;
+  for (const Column& column : columns) size = std::max(size, column.values.size());
+  for (std::size_t i = 0; i < size; ++i) table.rows.push_back({std::to_string(i)});
+  for (const auto& [name, values] : columns) {
+    table.columns.emplace_back(name);
+    for (std::size_t i = 0; i < size; ++i) {
+      table.rows[i].push_back(i < values.size() ? values[i].value : "");
+    }
+    table.notes.push_back(fmt::format("{}: {}", name, accuracy_text(values)));
+  }
+  return table;
+}
+
 void run_coefficients(const CoefficientsOptions& options) {
   if (!options.quantity.empty() || !options.integral.empty()) {
     const std::string text = quantity_output({options.name,
@@ -151,6 +176,9 @@ void run_coefficients(const CoefficientsOptions& options) {
   if (options.format == "csv") text = coefficients_as_csv(definition, columns);
   if (options.format == "cpp") text = coefficients_as_cpp(definition, options, columns);
   if (options.format == "text") text = coefficients_as_text(definition, options, orders, columns);
+  if (is_markup(options.format)) {
+    text = to_markup(coefficients_as_markup(definition, options, orders, columns), options.format);
+  }
   std::fputs(text.c_str(), stdout);
 }
 
@@ -181,7 +209,7 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   command->add_option("--normalize", options->normalization, "Divide mu and nu by their index 0")
       ->check(CLI::IsMember({"none", "first"}))
       ->capture_default_str();
-  add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
+  add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
   command->callback([options] { run_coefficients(*options); });
 }
 

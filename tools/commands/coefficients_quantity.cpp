@@ -7,6 +7,7 @@
 
 #include "wavecurve/io/files/detail/csv.hpp"
 
+#include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
@@ -62,6 +63,17 @@ std::string as_cpp(const std::string& filter, const Quantity& quantity, const En
          header_array("values", decimals) + header_closing(filter);
 }
 
+MarkupTable as_markup(const std::string& filter, const Quantity& quantity, const Entries& entries) {
+  MarkupTable table{to_string(quantity) + " of " + filter, {"index", "value"}, {}, {}};
+  std::vector<certified::DecimalEnclosure> values;
+  for (const auto& [index, number] : entries) {
+    table.rows.push_back({index.text(), number.value});
+    values.push_back(number);
+  }
+  table.notes.push_back(accuracy_text(values));
+  return table;
+}
+
 std::string as_text(const std::string& filter, const Quantity& quantity, const Entries& entries) {
   std::string text = fmt::format("{} of {}\n\n", to_string(quantity), filter);
   constexpr std::size_t longest_fraction = 40;
@@ -84,6 +96,9 @@ std::string quantity_output(const QuantityOutput& options) {
   if (options.format == "json") return as_json(options, filter.name(), quantity, entries);
   if (options.format == "csv") return as_csv(filter.name(), quantity, entries);
   if (options.format == "cpp") return as_cpp(filter.name(), quantity, entries);
+  if (is_markup(options.format)) {
+    return to_markup(as_markup(filter.name(), quantity, entries), options.format);
+  }
   return as_text(filter.name(), quantity, entries);
 }
 

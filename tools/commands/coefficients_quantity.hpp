@@ -7,7 +7,7 @@
 namespace wavecurve::tools {
 
 /// `coefficients NAME --quantity Q` and `--integral I`: the entries of one quantity of a filter, as
-/// text, json, csv or cpp. `integral` is the inside of int(...), or empty if `quantity` is given.
+/// text, json, csv, cpp, markdown or latex. `integral` is the inside of int(...), or empty if `quantity` is given.
 struct QuantityOutput {
   std::string filter;  ///< a name or a path
   std::string quantity, integral, format;

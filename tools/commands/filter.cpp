@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -20,6 +21,7 @@
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
@@ -185,6 +187,31 @@ std::string filter_as_text(const FilterDefinition& definition,
   return text;
 }
 
+/// The filters side by side over their common indices; where both sides are the same, one of them.
+MarkupTable filter_as_markup(const FilterDefinition& definition,
+                             const std::vector<NamedFilter>& filters) {
+  const bool orthonormal = definition.bank(certified::bits_for_digits(1)).is_orthonormal();
+  MarkupTable table{"Filter " + definition.name, {"index"}, {}, {}};
+  int first = filters.front().decimals.first_index, last = first;
+  for (const auto& [name, filter] : filters) {
+    first = std::min(first, filter.first_index);
+    last = std::max(last, filter.last_index());
+  }
+  for (int n = first; n <= last; ++n) table.rows.push_back({std::to_string(n)});
+  for (const auto& [name, filter] : filters) {
+    std::string heading = name;
+    std::ranges::replace(heading, '_', ' ');
+    if (orthonormal && heading.starts_with("synthesis")) continue;
+    table.columns.push_back(heading);
+    for (int n = first; n <= last; ++n) {
+      const bool has_tap = n >= filter.first_index && n <= filter.last_index();
+      table.rows[static_cast<std::size_t>(n - first)].push_back(has_tap ? filter[n] : "");
+    }
+  }
+  if (orthonormal) table.notes.push_back("The synthesis filters are the same.");
+  return table;
+}
+
 /// Every family with what it says of its names, and its members with their aliases.
 std::string list_of_filters() {
   std::string text;
@@ -217,6 +244,9 @@ void run_filter(const FilterOptions& options) {
   if (options.format == "csv") text = filter_as_csv(definition, filters);
   if (options.format == "cpp") text = filter_as_cpp(definition, filters);
   if (options.format == "text") text = filter_as_text(definition, filters);
+  if (is_markup(options.format)) {
+    text = to_markup(filter_as_markup(definition, filters), options.format);
+  }
   std::fputs(text.c_str(), stdout);
 }
 
@@ -228,7 +258,7 @@ void add_filter_command(CLI::App& app, ExitCode&) {
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
   command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop");
   add_digits_option(*command, options->digits);
-  add_format_option(*command, options->format, {"text", "json", "csv", "cpp"});
+  add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
   command->footer(
       "A JSON file with one's own filter: {\"taps\": [\"0.48...\", ...]}, and where they are needed\n"
       "first_index   of the taps, 0 unless given\n"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/find_filter.hpp"
@@ -15,6 +16,7 @@
 #include "wavecurve/io/files/read_file.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
 
 namespace wavecurve::tools {
@@ -89,6 +91,35 @@ std::string as_text(const std::vector<IdentifiedList>& lists) {
     }
   }
   return text;
+}
+
+/// A row for each match, the best first; below the table the runners-up of every list.
+MarkupTable as_markup(const std::vector<IdentifiedList>& lists) {
+  MarkupTable table{
+      "What the lists of numbers are",
+      {"list", "filter", "quantity", "departs by", "matched", "of", "digits", "known as"},
+      {},
+      {}};
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const auto& [list, matches] = lists[i];
+    const std::string title = title_of(lists[i], i + 1);
+    for (std::size_t m = 0; m < std::min(matches.size(), most_matches); ++m) {
+      const Match& match = matches[m];
+      table.rows.push_back({title, match.column->filter, to_string(match.column->quantity),
+                            convention_words(match), std::to_string(match.matched),
+                            std::to_string(match.of), fmt::format("{:.1f}", match.digits),
+                            package_of(match)});
+    }
+    std::vector<std::string> misses;
+    for (const NearMiss& miss : nearest_columns(list, matches)) {
+      misses.push_back(fmt::format("{} {} (off by {:.2g})", miss.column->filter,
+                                   to_string(miss.column->quantity), miss.distance));
+    }
+    table.notes.push_back(fmt::format("{}: {}; the nearest: {}", title,
+                                      matches.empty() ? "no known column" : "no other filter",
+                                      fmt::join(misses, ", ")));
+  }
+  return table;
 }
 
 ordered_json as_json(const Match& match) {
@@ -167,7 +198,9 @@ void run_identify(const IdentifyOptions& options, ExitCode& exit_code) {
   }
   const std::string output = options.as_table           ? as_check_table(lists)
                              : options.format == "json" ? as_json(lists)
-                                                        : as_text(lists);
+                             : is_markup(options.format)
+                                 ? to_markup(as_markup(lists), options.format)
+                                 : as_text(lists);
   std::fwrite(output.data(), 1, output.size(), stdout);
   const bool all_found = std::all_of(lists.begin(), lists.end(),
                                      [](const IdentifiedList& l) { return !l.matches.empty(); });
@@ -184,7 +217,7 @@ void add_identify_command(CLI::App& app, ExitCode& exit_code) {
                       "File with numbers in nearly any form (a column, a literal of C, Python, "
                       "MATLAB, R, Julia\nor Fortran, a LaTeX or Markdown table), or - for standard "
                       "input");
-  add_format_option(*command, options->format, {"text", "json"});
+  add_format_option(*command, options->format, {"text", "json", "markdown", "latex"});
   command->add_flag("--table", options->as_table,
                     "Print the first list that is found as a table for `check`");
   command->footer(

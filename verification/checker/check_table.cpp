@@ -48,11 +48,22 @@ void compare_errors(std::vector<JudgedRow>& rows) {
   }
 }
 
+/// Digits that an edit left in their places are right.
+std::size_t end_of_edit(const PrintedNumber& print, const Repair& repair) {
+  const std::string& right = repair.repaired.digits;
+  const bool in_place = repair.edit == Edit::wrong_digit || repair.edit == Edit::swapped_digits ||
+                        repair.edit == Edit::swapped_apart;
+  if (!in_place || right.size() != print.digits.size()) return 0;
+  const auto last = std::mismatch(right.rbegin(), right.rend(), print.digits.rbegin()).first;
+  return static_cast<std::size_t>(right.rend() - last);
+}
+
 void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route) {
   CheckedRow& result = row.result;
+  result.departure = departure(row.value, result.entry.number);
   if (yielded_by_route) {
     result.verdict = PrintVerdict::published_route;
-    result.detail = describe_difference(row.value, result.entry.number);
+    result.detail = describe_difference(*result.departure, result.entry.number);
     result.route = route;
     return;
   }
@@ -60,6 +71,8 @@ void judge_wrong(JudgedRow& row, bool yielded_by_route, const std::string& route
       judge_wrong_print(row.value, result.entry.number, row.repair, !row.has_usual_error);
   result.verdict = judged.verdict;
   result.detail = std::move(judged.detail);
+  if (result.verdict == PrintVerdict::form) result.departure.reset();
+  if (judged.repair) result.departure->end = end_of_edit(result.entry.number, *judged.repair);
 }
 
 /// What taps are that are not those of the filter that they are said to be.

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "verification/prints/print_form.hpp"
 #include "verification/prints/print_verdict.hpp"
 #include "verification/quantities/convention.hpp"
 #include "verification/routes/column_routes.hpp"
@@ -21,6 +23,9 @@ struct CheckedRow {
   double ulps = 0;
   std::string detail;
   std::string route;  ///< the computation that yields the print, for published-route
+  /// Where the print departs from the true value; nothing for a print that is right or only in
+  /// another form.
+  std::optional<Departure> departure = {};
 };
 
 /// The rows of one filter and quantity.

@@ -201,11 +201,11 @@ JudgedPrint judge_wrong_print(const TrueValue& value, const PrintedNumber& print
           {}};
 }
 
-std::string describe_difference(const TrueValue& value, const PrintedNumber& print) {
-  const auto right = round_to_form(value, form_of(print));
-  const int digit = right ? first_wrong_digit(print, *right) : 0;
-  return digit > 0 ? fmt::format("the true value differs from significant digit {} on", digit)
-                   : "the true value differs";
+std::string describe_difference(const Departure& departure, const PrintedNumber& print) {
+  const std::size_t zeros = print.digits.size() - print.significand().size();
+  const std::size_t digit = departure.sign ? 0 : departure.digit.value_or(0);
+  return fmt::format("the true value differs from significant digit {} on",
+                     digit > zeros ? digit - zeros + 1 : 1);
 }
 
 std::string certified_text(const TrueValue& value, const PrintedNumber& print,

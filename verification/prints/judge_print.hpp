@@ -34,7 +34,7 @@ JudgedPrint judge_wrong_print(const TrueValue& value, const PrintedNumber& print
                               const std::optional<Repair>& repair, bool column_is_accurate = true);
 
 /// "the true value differs from significant digit 8 on"
-std::string describe_difference(const TrueValue& value, const PrintedNumber& print);
+std::string describe_difference(const Departure& departure, const PrintedNumber& print);
 
 /// The value as a report shows it beside the print, correctly rounded: with the digits of the
 /// column, or of the print where that has more and is wrong. Beside a fraction an exactly known

@@ -190,19 +190,32 @@ std::optional<PrintedNumber> without_padding(const TrueValue& value, const Print
   return std::nullopt;
 }
 
-int first_wrong_digit(const PrintedNumber& print, const PrintedNumber& right) {
-  const std::string a = print.mantissa(), b = right.mantissa();
-  if (print.negative != right.negative || print.exponent != right.exponent ||
-      a.size() != b.size()) {
-    return 1;
-  }
-  int place = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const bool is_digit = b[i] >= '0' && b[i] <= '9';
-    if (is_digit && (place > 0 || b[i] != '0' || a[i] != '0')) ++place;
-    if (a[i] != b[i]) return std::max(place, 1);
-  }
-  return 0;
+Departure departure(const PrintedNumber& print, const PrintedNumber& right) {
+  if (print.is_fraction()) return {false, 0, 0};
+  std::string printed = print.digits, true_digits = right.digits;
+  const int missing = print.decimals() - right.decimals();
+  const auto size = static_cast<int>(true_digits.size());
+  true_digits.resize(static_cast<std::size_t>(std::max(size + missing, 0)), '0');
+  const std::size_t width = std::max(printed.size(), true_digits.size());
+  const std::size_t added = width - printed.size();
+  printed.insert(0, added, '0');
+  true_digits.insert(0, width - true_digits.size(), '0');
+  Departure result{print.negative != right.negative && !right.is_zero(), std::nullopt};
+  const auto differing = std::mismatch(printed.begin(), printed.end(), true_digits.begin()).first;
+  if (differing == printed.end()) return result;
+  const auto place = static_cast<std::size_t>(differing - printed.begin());
+  result.digit = place < added ? 0 : place - added;
+  return result;
+}
+
+Departure departure(const TrueValue& value, const PrintedNumber& print) {
+  constexpr Departure from_the_first{false, 0, 0};
+  if (print.is_fraction()) return from_the_first;
+  const auto right = print.decimals() >= 0 ? round_to_decimals(value, print.decimals())
+                                           : round_to_digits(value, print.significant_digits());
+  if (!right) return from_the_first;
+  const Departure found = departure(print, *right);
+  return found.sign || found.digit ? found : from_the_first;
 }
 
 }  // namespace wavecurve::verification

@@ -58,8 +58,24 @@ double distance_in_units(const TrueValue& value, const PrintedNumber& print);
 /// 0.5961918029... is 0.5961918. As few zeros as possible leave. Nothing if there is no such number.
 std::optional<PrintedNumber> without_padding(const TrueValue& value, const PrintedNumber& print);
 
-/// The first significant digit, counted from 1, in which a print differs from the right number
-/// printed alike; 0 if none does.
-int first_wrong_digit(const PrintedNumber& print, const PrintedNumber& right);
+/// Where a print departs from the right number.
+struct Departure {
+  bool sign = false;  ///< one has a minus, the other has not
+  /// The first digit that differs, place by place, as an index into PrintedNumber::digits; the first
+  /// of all if the right number has more places before the point. Nothing if none differs.
+  std::optional<std::size_t> digit;
+  /// One past the last digit that is wrong, where those behind it are known to be right; else 0.
+  std::size_t end = 0;
+
+  bool operator==(const Departure&) const = default;
+};
+
+/// Compares what stands in the places of the print, whatever the notations. A fraction that is not the
+/// right number departs from its first digit on.
+Departure departure(const PrintedNumber& print, const PrintedNumber& right);
+
+/// From the value rounded to the print's own last digit. A wrong print that equals it (a bare 0 for
+/// 0.3), or whose rounding is undecided, departs from its first digit on.
+Departure departure(const TrueValue& value, const PrintedNumber& print);
 
 }  // namespace wavecurve::verification

@@ -124,15 +124,35 @@ TEST(PrintForm, MeasuresTheDistanceInUnitsOfTheLastDigit) {
   EXPECT_NEAR(distance_in_units(third, parse_printed_number("0." + thirds)), 1.0 / 3, 1e-9);
 }
 
-TEST(PrintForm, FindsTheFirstWrongDigit) {
-  const auto first = [](const char* print, const char* right) {
-    return first_wrong_digit(parse_printed_number(print), parse_printed_number(right));
+TEST(PrintForm, FindsWhereAPrintDeparts) {
+  const auto from = [](const char* print, const char* right) {
+    return departure(parse_printed_number(print), parse_printed_number(right));
   };
-  EXPECT_EQ(first("-0.632970245318", "-0.632970245425"), 10);
-  EXPECT_EQ(first("0.000061489440", "0.000061489441"), 8);
-  EXPECT_EQ(first("1.200356164723", "1.200356164721"), 13);
-  EXPECT_EQ(first("0.25", "0.25"), 0);
-  EXPECT_EQ(first("0.25", "-0.25"), 1);
+  const auto digit = [](std::size_t index) { return Departure{false, index}; };
+  EXPECT_EQ(from("-0.632970245318", "-0.632970245425"), digit(10));
+  EXPECT_EQ(from("0.000061489440", "0.000061489441"), digit(12));
+  EXPECT_EQ(from("1.200356164723", "1.200356164721"), digit(12));
+  EXPECT_EQ(from("0.00001267", "0.00000127"), digit(5)) << "a dropped zero moves all that follow";
+  EXPECT_EQ(from("2.5", "12.5"), digit(0)) << "a lost digit before the first";
+  EXPECT_EQ(from("12.5", "2.5"), digit(0));
+  EXPECT_EQ(from("0.4097e-2", "0.004095"), digit(4)) << "the places count, not the notation";
+  EXPECT_EQ(from("1.27e7", "1.25e7"), digit(2));
+  EXPECT_EQ(from("0.25", "0.25"), Departure{});
+  EXPECT_EQ(from("0.25", "-0.25"), (Departure{true, std::nullopt}));
+  EXPECT_EQ(from("-0.25", "0.26"), (Departure{true, 2}));
+  EXPECT_EQ(from("-0.00", "0.00"), Departure{}) << "a zero has no sign to lose";
+  EXPECT_EQ(from("2/7", "0.25"), digit(0));
+}
+
+TEST(PrintForm, FindsWhereAPrintDepartsFromAValue) {
+  const TrueValue third{certified::Rational(1) / certified::Rational(3), {}};
+  const auto from = [&](const char* print) {
+    return departure(third, parse_printed_number(print));
+  };
+  EXPECT_EQ(from("0.33343"), (Departure{false, 4}));
+  EXPECT_EQ(from("3.3343e-1"), (Departure{false, 3}));
+  EXPECT_EQ(from("-0.333"), (Departure{true, std::nullopt}));
+  EXPECT_EQ(from("0"), (Departure{false, 0})) << "equal to the rounding, and wrong all the same";
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace wavecurve::verification {
 
 namespace {
 
-struct Range {
+struct IndexRange {
   int first = 0, last = 0;
 };
 
-Range support_of(FilterValues& filter, const Quantity& quantity) {
+IndexRange support_of(FilterValues& filter, const Quantity& quantity) {
   const auto [first, last] = filter.index_range(quantity);
   return {first, last};
 }
@@ -30,7 +30,7 @@ Quantity exchanged(Quantity quantity) {
   return quantity;
 }
 
-int source(const Convention& convention, Range support, int n) {
+int source(const Convention& convention, IndexRange support, int n) {
   return convention.reversed ? support.first + support.last - n + convention.shift
                              : n + convention.shift;
 }
@@ -56,14 +56,14 @@ class Samples {
       values_.push_back(filter.value(quantity, EntryIndex(n)).to_double());
     }
   }
-  Range support() const { return support_; }
+  IndexRange support() const { return support_; }
   std::optional<double> operator[](int n) const {
     if (n < support_.first || n > support_.last) return std::nullopt;
     return values_[static_cast<std::size_t>(n - support_.first)];
   }
 
  private:
-  Range support_;
+  IndexRange support_;
   std::vector<double> values_;
 };
 
@@ -95,7 +95,7 @@ bool explains(const Fit& fit, std::size_t entries) {
 }
 
 /// Conventions of the given signs and order, the shifts in between from the smallest on.
-std::vector<int> shifts(const std::vector<EntryToPlace>& entries, bool reversed, Range support) {
+std::vector<int> shifts(const std::vector<EntryToPlace>& entries, bool reversed, IndexRange support) {
   int least = entries.front().index.integer(), most = least;
   for (const EntryToPlace& entry : entries) {
     least = std::min(least, entry.index.integer());
@@ -245,7 +245,7 @@ std::optional<Convention> recognise_convention(FilterValues& filter, const Quant
 
 std::string describe(FilterValues& filter, const Quantity& quantity, const Convention& convention) {
   std::vector<std::string> words;
-  const Range support = support_of(filter, listed_quantity(quantity, convention));
+  const IndexRange support = support_of(filter, listed_quantity(quantity, convention));
   if (convention.reversed) words.push_back("reversed");
   const int of_zero = source(convention, support, 0);
   if (convention.shift != 0) {

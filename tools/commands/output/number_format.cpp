@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/certified/rational.hpp"
+
 namespace wavecurve::tools {
 
 namespace {
@@ -78,6 +80,16 @@ void add_format_option(CLI::App& command, std::string& format, std::vector<std::
   command.add_option("--format", format, "Form of the output")
       ->check(CLI::IsMember(std::move(accepted)))
       ->capture_default_str();
+}
+
+std::string accuracy_text(const std::vector<certified::DecimalEnclosure>& values) {
+  const auto radius = [](const certified::DecimalEnclosure& value) {
+    return certified::Rational::from_decimal(value.radius);
+  };
+  const auto least = std::ranges::max_element(
+      values, [&](const auto& a, const auto& b) { return radius(a) < radius(b); });
+  if (least == values.end() || radius(*least).is_zero()) return "every value is exact";
+  return "every value is within " + least->radius + " of the true one";
 }
 
 std::string header_opening(const std::string& title, const std::string& filter_name) {
