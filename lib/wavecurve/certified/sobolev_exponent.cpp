@@ -60,6 +60,7 @@ SquareMatrix<Ball> transition_operator(const std::vector<Ball>& q) {
   return t;
 }
 
+constexpr long rough_bits = 128;    // enough for the few squarings that mostly decide
 constexpr int most_squarings = 45;  // leave a radius of 1e-13 for the longest filters
 constexpr double accurate_radius = 1e-13;
 
@@ -124,7 +125,13 @@ Attempt exponent_by_squaring(const Filter<Ball>& low, int zeros, int all_zeros, 
     return Attempt{best ? std::optional(exponent_from(*best, zeros, all_zeros)) : std::nullopt,
                    lost_precision};
   };
+  // The first enclosures are rough, and their logarithms would cost more than the squarings.
+  constexpr int first_telling = 4;
   for (int m = 0;; ++m) {
+    if (m > 0 && m < first_telling && m < squarings) {
+      arb_mat_sqr(power.value, power.value, bits);
+      continue;
+    }
     if (const auto log_rho = log_spectral_radius(power, t.size(), m)) {
       const Ball s = Ball(zeros) - *log_rho / log(Ball(4));
       if (best && best->radius_double() <= s.radius_double()) return ended(true);
@@ -148,9 +155,8 @@ std::string limit_of(const FilterDefinition& definition) {
 }
 
 /// The exponent of phi, at rising precision until it is enough.
-Ball exponent_of(const FilterDefinition& definition, const Enough& enough) {
-  // Squarings lose precision; to begin with much costs less than to do them again.
-  const long first_bits = definition.known_bits ? 128 : 512;
+Ball exponent_of(const FilterDefinition& definition, long family_bits, const Enough& enough) {
+  const long first_bits = definition.known_bits ? 128 : family_bits;
   Work work;
   std::optional<Ball> best;
   std::string reason = not_enclosed;
@@ -203,12 +209,15 @@ Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings) {
 }
 
 Ball sobolev_exponent(const FilterDefinition& definition) {
-  return exponent_of(definition, is_accurate);
+  // Squarings lose precision; to begin with much costs less than to do them again.
+  constexpr long bits_of_many_squarings = 512;
+  return exponent_of(definition, bits_of_many_squarings, is_accurate);
 }
 
 bool is_proved_smoother(const FilterDefinition& definition, const Rational& exponent) {
-  const Ball found = exponent_of(
-      definition, [&](const Ball& s) { return !s.contains(exponent) || is_accurate(s); });
+  const Ball found = exponent_of(definition, rough_bits, [&](const Ball& s) {
+    return !s.contains(exponent) || is_accurate(s);
+  });
   return certainly_less(Ball(exponent), found);
 }
 
@@ -218,7 +227,7 @@ void require_smoothness(const FilterDefinition& definition, int p, int q) {
   constexpr double shown_radius = 1e-5;
   // A rough bound mostly proves that a filter is smooth enough; the exponent of one that is not is
   // shown.
-  const Ball found = exponent_of(definition, [&](const Ball& s) {
+  const Ball found = exponent_of(definition, rough_bits, [&](const Ball& s) {
     if (certainly_less(Ball(needed), s) || is_accurate(s)) return true;
     return certainly_less(s, Ball(needed)) && s.radius_double() < shown_radius;
   });

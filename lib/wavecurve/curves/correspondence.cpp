@@ -24,6 +24,10 @@ VectorXcd normalised(In contour) {
     centred.col(j) = contour.col(j).array() - contour.col(j).mean();
   }
   const double norm = centred.norm();
+  if (!std::isfinite(norm)) {
+    throw std::domain_error(
+        "contours that are to correspond have coordinates beyond what can be added up");
+  }
   if (norm > 0) centred *= 1 / norm;
   VectorXcd points(contour.rows());
   points.real() = centred.col(0);
@@ -65,11 +69,6 @@ Eigen::Index best_shift(In from, In to, Rotation rotation) {
     throw std::domain_error("contours that are to correspond must have finite coordinates");
   }
   VectorXcd z = normalised(from), w = normalised(to);
-  if (!z.allFinite() || !w.allFinite()) {
-    throw std::domain_error(
-        "contours that are to correspond have coordinates beyond what can be "
-        "added up");
-  }
   FourierTransform fourier(z.size());
   fourier.forward(z);
   fourier.forward(w);
