@@ -36,7 +36,7 @@ Json run_benchmark(const std::filesystem::path& program, const std::string& name
 /// given time, since whoever else uses the machine only ever adds. Throws as above.
 double time_once(const std::filesystem::path& program, const std::string& name, double seconds);
 
-/// Of Google Benchmark's ns, us, ms and s.
+/// One of Google Benchmark's ns, us, ms and s.
 double seconds_of_unit(const std::string& unit);
 
 /// Two things to be timed against each other, each by a function that runs it once in a process of

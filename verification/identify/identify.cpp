@@ -125,7 +125,7 @@ std::vector<Candidate> candidates_of(const Query& query) {
       largest = std::max(largest, std::abs(v));
     candidates.push_back({column, query.largest / largest, std::nullopt, count});
   }
-  // Of equals a power of sqrt 2 comes first, and of those the smallest.
+  // Among equals a power of sqrt 2 comes first, and the smallest of those.
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     const auto rank = [](const Candidate& c) {
       return c.half_powers ? std::abs(*c.half_powers) : most_half_powers + 1;

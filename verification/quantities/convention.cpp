@@ -95,7 +95,8 @@ bool explains(const Fit& fit, std::size_t entries) {
 }
 
 /// Conventions of the given signs and order, the shifts in between from the smallest on.
-std::vector<int> shifts(const std::vector<EntryToPlace>& entries, bool reversed, IndexRange support) {
+std::vector<int> shifts(const std::vector<EntryToPlace>& entries, bool reversed,
+                        IndexRange support) {
   int least = entries.front().index.integer(), most = least;
   for (const EntryToPlace& entry : entries) {
     least = std::min(least, entry.index.integer());

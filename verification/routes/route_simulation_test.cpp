@@ -96,7 +96,7 @@ Source make_source(const std::string& name, const Quantity& quantity) {
   return source;
 }
 
-/// Of all families and kinds of quantities; the last three have a thousand routes each.
+/// Columns of all families and kinds of quantities; the last three have a thousand routes each.
 std::vector<Source> make_sources() {
   std::vector<Source> sources;
   const std::vector<std::pair<const char*, Quantity>> all{{"db2", Quantity::taps},

@@ -31,11 +31,11 @@ struct Route {
   /// What it has in common with the routes to other columns of a table; the name, if nothing else.
   std::vector<std::string> habits;
   Printing printing = Printing::rounded;
-  /// Of a rounding rule the numbers themselves; empty if they are the doubles.
+  /// The numbers themselves, for a rounding rule; empty if they are the doubles.
   std::vector<TrueValue> exact;
   std::vector<Approximation> approximations;  ///< of `exact`
   Eigen::VectorXd doubles;
-  /// Of a floating-point computation bounds of the rounding errors of `doubles` (or of another
+  /// Bounds, for a floating-point computation, of the rounding errors of `doubles` (or of another
   /// program's that does the same in another order); empty for a rounding rule. They are asked for
   /// only if they matter.
   std::function<Eigen::VectorXd()> rounding_errors;

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "wavecurve/certified/detail/is_accurate.hpp"
-#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/refinable.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
@@ -58,13 +57,8 @@ Filter<Ball> dyadic_values(const FilterDefinition& definition, const BasisFuncti
                            long bits) {
   check_between("dyadic level", level, 0, highest_dyadic_level);
   require_continuity(definition, f);
-  constexpr long guard_bits = 64;
-  Filter<Ball> result;
-  refine(bits + guard_bits, [&](long working) {
-    result = values(definition.bank(working), f, level);
-    return is_accurate(result, bits);
-  });
-  return result;
+  return accurate_values(definition, bits,
+                         [&](const FilterBank<Ball>& bank) { return values(bank, f, level); });
 }
 
 }  // namespace wavecurve::certified

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "wavecurve/certified/detail/is_accurate.hpp"
-#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/linear_solve.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
@@ -171,17 +170,16 @@ ThreeTermIntegrals three_term_integrals(const FilterDefinition& definition, cons
                                         const BasisFunction& g, const BasisFunction& k, long bits) {
   const Functions functions{f, g, k};
   require_existence(definition, functions);
-  constexpr long first_bits = 64, guard_bits = 64;
+  constexpr long first_bits = 64;
   const FilterBank<Ball> rough = definition.bank(first_bits);
   require_degrees(rough, functions);
   const auto unknowns = unknowns_of({support(rough, f), support(rough, g), support(rough, k)});
   check_between("number of unknown three-term integrals", long(unknowns.size()), 1,
                 most_three_term_unknowns);
-  Filter<Ball> solution;
-  refine(bits + guard_bits, [&](long working) {
-    solution.taps = solve_at(definition.bank(working), functions, unknowns);
-    return is_accurate(solution, bits);
-  });
+  const Filter<Ball> solution =
+      accurate_values(definition, bits, [&](const FilterBank<Ball>& bank) {
+        return Filter<Ball>{0, solve_at(bank, functions, unknowns)};
+      });
   ThreeTermIntegrals result;
   for (const auto& [place, number] : unknowns) {
     result.first = std::min({result.first, place.first, place.second});

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "wavecurve/certified/detail/is_accurate.hpp"
-#include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/refinable.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
@@ -91,13 +90,8 @@ void require_integrable_product(const FilterDefinition& definition, const BasisF
 Filter<Ball> two_term_integrals(const FilterDefinition& definition, const BasisFunction& f,
                                 const BasisFunction& g, long bits) {
   require_integrable_product(definition, f, g);
-  constexpr long guard_bits = 64;
-  Filter<Ball> result;
-  refine(bits + guard_bits, [&](long working) {
-    result = integrals(definition.bank(working), f, g);
-    return is_accurate(result, bits);
-  });
-  return result;
+  return accurate_values(definition, bits,
+                         [&](const FilterBank<Ball>& bank) { return integrals(bank, f, g); });
 }
 
 }  // namespace wavecurve::certified

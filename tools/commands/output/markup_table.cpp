@@ -132,7 +132,7 @@ std::string latex_text(std::string_view text) {
                                    [&](const auto& s) { return text.starts_with(s.first); });
     if (sign != std::end(latex_signs)) {
       result += sign->second;
-      // Of two hyphens the second may be the first of two more.
+      // The second of two hyphens may be the first of two more.
       text.remove_prefix(sign->first == "--" ? 1 : sign->first.size());
       continue;
     }

@@ -52,7 +52,7 @@ Matrix exponential(Matrix a, const Real& t) {
   return sum;
 }
 
-/// Of (q, q', f, g, h) with f constant (omega = 0) or (g, h) = (cos, sin) of omega t acting.
+/// The exact motion of (q, q', f, g, h) with f constant (omega = 0) or (g, h) = (cos, sin) of omega t acting.
 Matrix exact(const Oscillator& o, double omega, double t) {
   const Real rho = o.rho;
   Matrix a{};

@@ -66,7 +66,7 @@ HWY_INLINE void first_step(D d, Index n, const double* roots, const double* sour
   }
 }
 
-/// Of `stride` transforms of length n / stride, side by side, which are whole vectors.
+/// One pass of `stride` transforms of length n / stride, side by side, which are whole vectors.
 template <class D>
 HWY_INLINE void step(D d, Index n, Index stride, const double* roots, Parts<const double> from,
                      Parts<double> to) {

@@ -102,7 +102,7 @@ TEST(GaitAnimation, StandingFeetDoNotSlide) {
           ++standing;
         }
       }
-      // Of 100 frames, but for the ends, and for touching the ground in the swing.
+      // Counted over 100 frames, but for the ends, and for touching the ground in the swing.
       EXPECT_NEAR(standing, 100 * gait.limbs[l].duty_factor, 7) << gait.name << limb_names[l];
     }
   }

@@ -88,7 +88,7 @@ TEST(FitGammas, SolveTheLeastSquares) {
   }
 }
 
-// Of 95 % intervals, 95 % hold the planted gamma: n = 4000 trials, so 0.0034 standard deviation, of
+// Among intervals of 95 %, 95 % hold the planted gamma: n = 4000 trials, so 0.0034 standard deviation, of
 // which four; and a share of (noise / movement)^2 = 1e-4 for what is not linear in the noise. An
 // error bar without the noise of the key frames would hold it in 80 % or less.
 TEST(FitGammas, StandardErrorsHoldAtTheirRate) {
