@@ -6,7 +6,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
+#include "wavecurve/io/files/detail/text.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::reports {
@@ -34,7 +36,7 @@ set linetype 5 linecolor rgb "#333333" linewidth 2 dashtype 5 pointtype 4 points
 )";
 
 std::string script_text(const Chart& chart) {
-  std::string text = "# Draw anew: gnuplot " + chart.id + ".gp\n";
+  std::string text = "# Draw anew: gnuplot -d " + chart.id + ".gp\n";
   text += "set terminal svg size 760,430 font \"sans-serif,14\" background rgb \"#ffffff\"\n";
   text += "set output \"" + chart.id + ".svg\"\n";
   text += chart_style;
@@ -49,7 +51,9 @@ std::string data_line(const std::vector<std::string>& cells) {
   for (std::string cell : cells) {
     std::ranges::replace_if(
         cell, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-    line += cell + "\t";
+    // gnuplot would take a quotation mark for the beginning of a text that holds separators.
+    std::ranges::replace(cell, '"', '\'');
+    line += printable(cell) + "\t";
   }
   if (!line.empty()) line.back() = '\n';
   return line;
@@ -62,18 +66,22 @@ std::string data_text(const verification::Table& table) {
 }
 
 io::ProgramRun run_gnuplot(const std::string& script, const fs::path& directory) try {
-  return io::run_program({"gnuplot", script}, directory);
+  return io::run_program({"gnuplot", "-d", script}, directory);
 } catch (const std::system_error& error) {
   throw std::system_error(error.code(), "cannot run gnuplot (Debian package gnuplot-nox)");
 }
 
 /// gnuplot echoes a faulty command before the line that says what is wrong with it,
-/// "ID.gp" line 25: undefined variable: x.
+/// "ID.gp" line 25: undefined variable: x. Lines of that form may be warnings, which explain nothing.
 std::string first_complaint(std::string_view text, const std::string& script) {
-  const std::size_t start = text.find("\"" + script + "\" line ");
-  if (start != std::string_view::npos) text.remove_prefix(start);
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  return text.empty() ? "no reason given" : std::string(text.substr(0, text.find('\n')));
+  std::string_view first, error;
+  for (const std::string_view line : io::split(text, "\n")) {
+    if (first.empty()) first = line;
+    const bool is_warning = line.find("arning:") != std::string_view::npos;
+    if (error.empty() && !is_warning && line.starts_with("\"" + script + "\" line ")) error = line;
+  }
+  const std::string_view complaint = error.empty() ? first : error;
+  return complaint.empty() ? "no reason given" : std::string(complaint);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/io/files/read_file.hpp"
+#include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::reports {
 namespace {
@@ -38,6 +39,32 @@ TEST_F(Gnuplot, DrawsAndLeavesWhatIsNeededToDrawAnew) {
   const std::string command = "cd '" + directory.string() + "' && gnuplot decay.gp";
   ASSERT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(io::read_file(directory / "decay.svg"), picture);
+}
+
+TEST_F(Gnuplot, ObeysNeitherTheUsersSettingsNorTheData) {
+  io::write_file(directory / ".gnuplot", "set title 'of the user'\nsystem 'touch obeyed'\n");
+  const std::string home = std::getenv("HOME");
+  setenv("HOME", directory.c_str(), 1);
+  chart.data.columns[1] = "`touch obeyed` \"a\" \x1b[2J";
+  draw_chart(chart, directory);
+  setenv("HOME", home.c_str(), 1);
+  const std::string picture = io::read_file(directory / "decay.svg");
+  EXPECT_EQ(picture.find("of the user"), std::string::npos);
+  EXPECT_EQ(picture.find('\x1b'), std::string::npos);
+  EXPECT_NE(picture.find("touch obeyed"), std::string::npos) << "it is the line's title";
+  EXPECT_FALSE(fs::exists(directory / "obeyed"));
+}
+
+TEST_F(Gnuplot, ShowsAnErrorAndNotTheWarningBeforeIt) {
+  chart.script = "set xrange [1:1]\nplot data using 1:7\nplot nothing_known";
+  try {
+    draw_chart(chart, directory);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find("arning"), std::string::npos) << message;
+    EXPECT_NE(message.find("\"decay.gp\" line "), std::string::npos) << message;
+  }
 }
 
 TEST_F(Gnuplot, AnEmptyFirstCellKeepsItsColumn) {

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/json_text.hpp"
+
 #include "verification/suite/claim_value_json.hpp"
 #include "verification/suite/reference.hpp"
 
@@ -72,7 +74,7 @@ std::string to_json(const Report& report) {
   json["claims"] = Json::array();
   for (const ClaimResult& result : report.results) json["claims"].push_back(json_of(result));
   // Text from outside may hold bytes that are no UTF-8; they must not cost the report.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return io::json_text(json, 1) + "\n";
 }
 
 }  // namespace wavecurve::reports

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 namespace wavecurve::reports {
 
 namespace {
@@ -26,6 +28,11 @@ std::string number(double value) { return fmt::format("{:.3g}", value); }
 std::string number(const std::optional<double>& value) { return value ? number(*value) : "-"; }
 
 bool is_model(const StudyPoint& point) { return !point.tolerance && point.solver != "spectral"; }
+
+/// Whether it solved, and its error is one to be drawn: the exact solver's is that of rounding.
+bool has_a_place(const StudyPoint& point) {
+  return point.errors && (point.tolerance || is_model(point));
+}
 
 std::vector<const StudyPoint*> points_in(const std::vector<StudyPoint>& points,
                                          const StudySetting& setting) {
@@ -48,14 +55,11 @@ Names names_of(const std::vector<const StudyPoint*>& points, Condition condition
   return names;
 }
 
-/// gnuplot's string; names of files may hold anything.
+/// gnuplot's string, in apostrophes: between quotation marks it would run what stands in backticks.
 std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
+  std::string result = "'";
+  for (const char c : printable(text)) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
 }
 
 /// The rows of one solver in column `y`; others are left out.
@@ -132,6 +136,7 @@ Chart floors_chart(const std::vector<StudyPoint>& points) {
     row.push_back(best ? number(best->tolerance) : "-");
     chart.data.rows.push_back(row);
   }
+  if (std::ranges::none_of(points, has_a_place)) return chart;
   Names plots;
   for (std::size_t i = 0; i <= models.size(); ++i) {
     plots.push_back(fmt::format("data using {}:xticlabels(1) with points linetype {} pointsize 1.3",
@@ -202,7 +207,9 @@ Chart work_precision_chart(const std::vector<StudyPoint>& points, const StudySet
     plots.push_back(of_solver(solver, "3", "$6") + " with linespoints linetype " +
                     std::to_string(++type) + " title " + quoted(solver));
   }
-  if (plots.empty()) plots.push_back("NaN notitle");
+  if (std::ranges::none_of(here, [](const auto* point) { return has_a_place(*point); })) {
+    return chart;
+  }
   chart.script = fmt::format(
       "{}set logscale xy\nset format xy \"10^{{%T}}\"\nset xlabel \"operations\"\n"
       "set ylabel \"largest error, of the initial displacement\"\nset yrange [*:10]\n"

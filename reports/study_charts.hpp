@@ -8,7 +8,8 @@
 
 namespace wavecurve::reports {
 
-// The charts of `wavecurve compare`, each with its numbers as a table.
+// The charts of `wavecurve compare`, each with its numbers as a table; where there is nothing to draw,
+// a chart has no script.
 
 /// The relative error that an eye does not see.
 inline constexpr double small_error = 0.05;

@@ -34,6 +34,14 @@ constexpr const char* conditions =
     "running on the other cores. The energy drift is the largest change of the total energy since "
     "the start if there is no damping, the largest increase from one time to the next if there is.";
 
+const Paragraph nothing_solved{
+    "Every solve of this setting failed; the last column of the table has the reasons."};
+
+bool any_solved(const std::vector<StudyPoint>& points, const StudySetting& setting) {
+  return std::ranges::any_of(
+      points, [&](const StudyPoint& point) { return point.setting == setting && point.errors; });
+}
+
 std::string section(const std::string& heading, const std::vector<Evidence>& evidence,
                     const std::map<std::string, std::string>& figures, int number) {
   std::string html =
@@ -97,7 +105,9 @@ void write_study(const std::vector<StudyPoint>& points, const StudySummary& summ
                  const fs::path& directory) {
   fs::create_directories(directory / "figures");
   std::map<std::string, std::string> figures;
+  // A chart without a script has nothing to show but its table.
   const auto drawn = [&](const Chart& chart) -> Evidence {
+    if (chart.script.empty()) return chart.data;
     draw_chart(chart, directory / "figures");
     figures[chart.id] = io::read_file(directory / "figures" / (chart.id + ".svg"));
     return chart;
@@ -110,7 +120,9 @@ void write_study(const std::vector<StudyPoint>& points, const StudySummary& summ
   std::string body = section("How accurate, at the end", overview, figures, number);
   for (const StudySetting& setting : settings_of(points)) {
     ++number;
-    std::vector<Evidence> evidence = {drawn(work_precision_chart(points, setting, number))};
+    std::vector<Evidence> evidence;
+    if (!any_solved(points, setting)) evidence.emplace_back(nothing_solved);
+    evidence.push_back(drawn(work_precision_chart(points, setting, number)));
     const Chart model = model_error_chart(points, setting, number);
     if (!model.data.rows.empty()) evidence.push_back(drawn(model));
     body += section(name_of(setting), evidence, figures, number);

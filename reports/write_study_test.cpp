@@ -81,6 +81,23 @@ TEST(WriteStudy, DrawsEverySettingAndShowsFailures) {
   EXPECT_GT(count_of(page, "decoupled: floor 1.7, its model error"), 0u);
 }
 
+TEST(WriteStudy, WhereNothingSolvedOrNothingErredThereIsAPageAllTheSame) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("wavecurve_write_study_none_" + std::to_string(::getpid()));
+  const auto page_of = [&](const std::vector<StudyPoint>& points) {
+    write_study(points, summarize(points), folder);
+    std::string page = io::read_file(folder / "index.html");
+    std::filesystem::remove_all(folder);
+    return page;
+  };
+  const std::string none = page_of({failed("coupled", 1e-2), failed("coupled", 1e-4)});
+  EXPECT_EQ(count_of(none, "Every solve of this setting failed"), 1u);
+  EXPECT_EQ(count_of(none, "failed: the step size &lt;vanishes&gt;"), 2u);
+  const std::string exact = page_of({point_of("spectral", {}, 0)});
+  EXPECT_EQ(count_of(exact, "Every solve"), 0u);
+  EXPECT_EQ(count_of(exact, "<figure"), 0u);
+}
+
 TEST(WriteStudy, ChartsHaveOneRowAPoint) {
   const auto points = some_points();
   const Chart chart = work_precision_chart(points, points[0].setting, 1);

@@ -5,18 +5,17 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
+
+#include "tools/commands/terminal.hpp"
 
 namespace wavecurve::tools {
 
 namespace {
 
-/// One line on the error stream, whatever the message holds.
-int complain(std::string message, ExitCode code) {
-  for (char& c : message) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  std::fprintf(stderr, "wavecurve: %s\n", message.c_str());
+int complain(std::string_view message, ExitCode code) {
+  print_message(message);
   return code;
 }
 

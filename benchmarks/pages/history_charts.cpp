@@ -42,9 +42,9 @@ void add_column(Chart& chart, const Series& values, const char* form = "{:.4g}")
   }
 }
 
-Series over_history(const std::vector<Json>& history, const std::string& pointer) {
+Series over_history(const std::vector<Json>& history, const std::vector<std::string>& keys) {
   Series series;
-  for (const Json& record : history) series.push_back(number(record, pointer));
+  for (const Json& record : history) series.push_back(number(record, keys));
   return series;
 }
 
@@ -65,13 +65,13 @@ Chart time_chart(const std::string& id, const std::string& kernel, const std::ve
     least.push_back(t.least);
     largest.push_back(t.largest);
   }
-  const std::string limit = "/limits/kernels/" + kernel + "/";
   Chart chart = chart_over(history, id,
                            name + ": processor time of a run in µs, and what the machine could do",
                            {"median", "least", "largest", "copy of its data", "its arithmetic"});
   for (const Series& series :
-       {median, least, largest, over_history(history, limit + "copy_seconds"),
-        over_history(history, limit + "arithmetic_seconds")}) {
+       {median, least, largest,
+        over_history(history, {"limits", "kernels", kernel, "copy_seconds"}),
+        over_history(history, {"limits", "kernels", kernel, "arithmetic_seconds"})}) {
     add_column(chart, in_microseconds(series));
   }
   mark_changes(chart, median, noise_of_times);
@@ -86,10 +86,9 @@ Chart time_chart(const std::string& id, const std::string& kernel, const std::ve
 
 Chart count_chart(const std::string& id, const std::string& kernel,
                   const std::vector<Json>& history) {
-  const std::string place = "/kernels/" + kernel + "/";
-  const Series instructions = over_history(history, place + "instructions");
-  Series references = over_history(history, place + "data_reads");
-  const Series writes = over_history(history, place + "data_writes");
+  const Series instructions = over_history(history, {"kernels", kernel, "instructions"});
+  Series references = over_history(history, {"kernels", kernel, "data_reads"});
+  const Series writes = over_history(history, {"kernels", kernel, "data_writes"});
   for (std::size_t i = 0; i < writes.size(); ++i) references[i] += writes[i];
   Chart chart = chart_over(history, id, kernel + ": instructions and data references of a run",
                            {"instructions", "data references"});
@@ -110,7 +109,7 @@ Chart accuracy_chart(const std::vector<Json>& history) {
   int others = 0, column = 2;
   const Json latest = history.back().value("accuracy", Json::object());
   for (const auto& [name, entry] : latest.items()) {
-    Series series = over_history(history, "/accuracy/" + name + "/value");
+    Series series = over_history(history, {"accuracy", name, "value"});
     const auto first = std::ranges::find_if(series, [](double v) { return v > 0; });
     if (first == series.end()) continue;
     const double unit = *first;
@@ -121,7 +120,7 @@ Chart accuracy_chart(const std::vector<Json>& history) {
       ++others;
       continue;
     }
-    chart.data.columns.push_back(name + " (" + entry["kind"].get<std::string>() + ")");
+    chart.data.columns.push_back(name + " (" + entry.at("kind").get<std::string>() + ")");
     add_column(chart, series);
     mark_changes(chart, series, noise_of_accuracy);
     plot += fmt::format("data using 1:{}:xtic(2) with linespoints, \\\n  ", ++column);

@@ -27,8 +27,8 @@ std::string names_of(const std::vector<std::size_t>& places, const std::vector<J
 
 /// The larger of the limits, and its name.
 std::pair<double, std::string> limit_of(const Json& record, const std::string& kernel) {
-  const double copy = number(record, "/limits/kernels/" + kernel + "/copy_seconds");
-  const double arithmetic = number(record, "/limits/kernels/" + kernel + "/arithmetic_seconds");
+  const double copy = number(record, {"limits", "kernels", kernel, "copy_seconds"});
+  const double arithmetic = number(record, {"limits", "kernels", kernel, "arithmetic_seconds"});
   if (std::isnan(copy) && std::isnan(arithmetic)) return {missing, ""};
   // A comparison with what is not known is false.
   return copy > arithmetic || std::isnan(arithmetic)
@@ -36,8 +36,12 @@ std::pair<double, std::string> limit_of(const Json& record, const std::string& k
              : std::pair{arithmetic, std::string("arithmetic")};
 }
 
+/// As a part of a file's name.
 std::string short_name(std::string name) {
-  for (char& c : name) c = c == '_' || c == '.' ? '-' : c;
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  for (char& c : name) c = is_plain(c) ? c : '-';
   return name;
 }
 
@@ -49,12 +53,12 @@ Table accuracy_table(const std::vector<Json>& history) {
   for (const auto& [name, entry] : latest.items()) {
     Series series;
     for (const Json& record : history) {
-      series.push_back(number(record, "/accuracy/" + name + "/value"));
+      series.push_back(number(record, {"accuracy", name, "value"}));
     }
     Series there;
     std::ranges::copy_if(series, std::back_inserter(there),
                          [](double v) { return !std::isnan(v); });
-    table.rows.push_back({name, entry["kind"].get<std::string>(), cell(series.back()),
+    table.rows.push_back({name, entry.at("kind").get<std::string>(), cell(series.back()),
                           cell(there.empty() ? missing : std::ranges::min(there)),
                           cell(there.empty() ? missing : std::ranges::max(there)),
                           names_of(changes(series, noise_of_accuracy), history)});
@@ -88,7 +92,7 @@ Table far_from_limits(const Json& record, const TimesByName& times, const LimitR
       record.value("revision", Json::object()).value("commit", std::string());
   const Json kernels = record.value("kernels", Json::object());
   for (const auto& [kernel, counts] : kernels.items()) {
-    const auto time = times.find(kernel + "/" + counts["size"].dump());
+    const auto time = times.find(kernel + "/" + counts.at("size").dump());
     const auto [limit, by] = limit_of(record, kernel);
     if (time == times.end() || !(time->second.median > far * limit)) continue;
     table.rows.push_back(
@@ -113,11 +117,11 @@ reports::Page history_page(const std::vector<Json>& history, const LimitReasons&
   std::vector<Evidence> charts;
   const Json kernels = last.value("kernels", Json::object());
   for (const auto& [kernel, counts] : kernels.items()) {
-    const std::string name = kernel + "/" + counts["size"].dump();
+    const std::string name = kernel + "/" + counts.at("size").dump();
     Series medians, instructions;
     for (std::size_t i = 0; i < history.size(); ++i) {
       medians.push_back(times[i].contains(name) ? times[i].at(name).median : missing);
-      instructions.push_back(number(history[i], "/kernels/" + kernel + "/instructions"));
+      instructions.push_back(number(history[i], {"kernels", kernel, "instructions"}));
     }
     const auto [limit, by] = limit_of(last, kernel);
     overview.rows.push_back({name, cell(medians.back() * 1e6), cell(limit * 1e6), by,

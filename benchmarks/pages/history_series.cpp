@@ -11,21 +11,25 @@
 
 namespace wavecurve::tracking {
 
-double number(const Json& record, const std::string& pointer) {
-  const Json::json_pointer place(pointer);
-  return record.contains(place) && record[place].is_number() ? record[place].get<double>()
-                                                             : missing;
+double number(const Json& record, const std::vector<std::string>& keys) {
+  const Json* place = &record;
+  for (const std::string& key : keys) {
+    const auto found = place->find(key);
+    if (found == place->end()) return missing;
+    place = &*found;
+  }
+  return place->is_number() ? place->get<double>() : missing;
 }
 
 TimesByName times_of(const Json& record) {
   TimesByName times;
   for (const Json& entry : record.value("benchmarks", Json::array())) {
     if (!entry.contains("cpu_time")) continue;
-    std::vector<double> all = entry["cpu_time"].get<std::vector<double>>();
-    const double unit = seconds_of_unit(entry["time_unit"].get<std::string>());
+    std::vector<double> all = entry.at("cpu_time").get<std::vector<double>>();
+    const double unit = seconds_of_unit(entry.at("time_unit").get<std::string>());
     for (double& time : all) time *= unit;
-    times[entry["name"].get<std::string>()] = {median(all), std::ranges::min(all),
-                                               std::ranges::max(all)};
+    times[entry.at("name").get<std::string>()] = {median(all), std::ranges::min(all),
+                                                  std::ranges::max(all)};
   }
   return times;
 }
@@ -46,8 +50,9 @@ std::vector<std::size_t> changes(const Series& series, double noise) {
 std::string cell(double value) { return std::isnan(value) ? "?" : fmt::format("{:.4g}", value); }
 
 std::string revision(const Json& record) {
-  const std::string name = record["revision"].value("commit", "?").substr(0, 8);
-  return record["revision"].value("is_dirty", false) ? name + "+" : name;
+  const Json revision = record.value("revision", Json::object());
+  const std::string name = revision.value("commit", "?").substr(0, 8);
+  return revision.value("is_dirty", false) ? name + "+" : name;
 }
 
 }  // namespace wavecurve::tracking

@@ -17,8 +17,8 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // times on a shared machine to a few percent.
 constexpr double noise_of_counts = 1e-3, noise_of_times = 0.02, noise_of_accuracy = 1e-3;
 
-/// The number at a JSON pointer, or missing.
-double number(const Json& record, const std::string& pointer);
+/// The number to which these keys lead, or missing.
+double number(const Json& record, const std::vector<std::string>& keys);
 
 /// Processor times of a run in seconds.
 struct Times {

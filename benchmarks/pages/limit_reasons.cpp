@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::tracking {
@@ -29,9 +31,14 @@ LimitReasons read_limit_reasons(const fs::path& history) {
   }
   if (latest.empty()) return {};
   try {
-    const auto document = nlohmann::json::parse(io::read_file(latest));
-    return {document.at("commit"), document.at("kernels")};
-  } catch (const nlohmann::json::exception& error) {
+    const auto document = io::parse_json(io::read_file(latest));
+    const io::JsonPlace place(document);
+    LimitReasons reasons{place.at("commit").text(), {}};
+    for (const auto& [kernel, reason] : place.at("kernels").items()) {
+      reasons.of_kernel[kernel] = reason.text();
+    }
+    return reasons;
+  } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(latest.string() + " holds no reasons: " + error.what());
   }
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 
 namespace wavecurve::tracking {
@@ -27,8 +29,9 @@ class Pairs {
     arguments[0] = (root_ / "benchmarks" / "peers" / arguments[0]).string();
     arguments.insert(arguments.begin(), "/usr/bin/python3");
     return [arguments] {
-      const Json printed = Json::parse(io::output_of(arguments));
-      return printed.is_number() ? printed.get<double>() : printed["seconds"].get<double>();
+      const Json printed = io::parse_ordered_json(io::output_of(arguments));
+      const io::OrderedJsonPlace place(printed);
+      return place.find("seconds").value_or(place).number();
     };
   }
   /// A counter of a benchmark, which is the same in every run.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
@@ -106,8 +107,8 @@ Table digits_table(const Build& build, const fs::path& root) {
   io::write_file(file,
                  io::output_of({"/usr/bin/python3",
                                 (root / "lib/wavecurve/filters/pywavelets_tables.py").string()}));
-  const Json digits =
-      Json::parse(io::output_of({(build.programs / "filter_digits").string(), file.string()}));
+  const Json digits = io::parse_ordered_json(
+      io::output_of({(build.programs / "filter_digits").string(), file.string()}));
   fs::remove(file);
   Table table{
       "The worst tap of each family in units in the last place of a double, against "
@@ -116,13 +117,13 @@ Table digits_table(const Build& build, const fs::path& root) {
       {}};
   for (const auto& [family, tables] : digits.items()) {
     for (const auto& [name, entry] : tables.items()) {
-      const bool is_number = entry["worst_ulps"].is_number();
-      const double ulps = is_number ? entry["worst_ulps"].get<double>() : 0;
+      const bool is_number = entry.at("worst_ulps").is_number();
+      const double ulps = is_number ? entry.at("worst_ulps").get<double>() : 0;
       // An ulp is between 2^-53 and 2^-52 of the tap.
       const double decimals = 52 * std::log10(2.0) - std::log10(std::max(ulps, 0.5));
-      table.rows.push_back({family, name, entry["filters"].dump(),
+      table.rows.push_back({family, name, entry.at("filters").dump(),
                             is_number ? fmt::format("{:.3g}", ulps) : "another length",
-                            entry["worst_filter"].get<std::string>(),
+                            entry.at("worst_filter").get<std::string>(),
                             is_number ? fmt::format("{:.1f}", decimals) : ""});
     }
   }
@@ -138,10 +139,10 @@ std::string versions(const Build& build) {
   const std::string libraries =
       io::output_of({(build.programs / "filter_digits").string(), "--versions"});
   return fmt::format("{}; flags {}; {}; {}; {}; processor times on {}, {} processors, shared.",
-                     environment["compiler"].get<std::string>(),
-                     environment["flags"].get<std::string>(), environment["libraries"].dump(),
-                     libraries, python, machine_fingerprint()["cpu"].get<std::string>(),
-                     machine_fingerprint()["processors"].dump());
+                     environment.at("compiler").get<std::string>(),
+                     environment.at("flags").get<std::string>(), environment.at("libraries").dump(),
+                     libraries, python, machine_fingerprint().at("cpu").get<std::string>(),
+                     machine_fingerprint().at("processors").dump());
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 namespace {
@@ -107,11 +108,11 @@ void print_versions() {
 }
 
 void add_pywavelets(Json& json, const Json& tables) {
-  for (const auto& [name, filter] : tables["filters"].items()) {
-    Taps analysis = filter["dec_lo"].get<Taps>();
+  for (const auto& [name, filter] : tables.at("filters").items()) {
+    Taps analysis = filter.at("dec_lo").get<Taps>();
     std::ranges::reverse(analysis);
     const std::string own = certified::canonical_filter_name(name);
-    add(json, "PyWavelets", own, worst_of_bank(analysis, filter["rec_lo"].get<Taps>(), own));
+    add(json, "PyWavelets", own, worst_of_bank(analysis, filter.at("rec_lo").get<Taps>(), own));
   }
 }
 
@@ -134,7 +135,7 @@ int main(int argc, char** argv) {
     Json json;
     add_own(json);
     add_gsl(json);
-    if (argc > 1) add_pywavelets(json, Json::parse(io::read_file(argv[1])));
+    if (argc > 1) add_pywavelets(json, io::parse_ordered_json(io::read_file(argv[1])));
     std::puts(json.dump(1).c_str());
     return 0;
   } catch (const std::exception& error) {

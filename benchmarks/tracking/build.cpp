@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 
 namespace wavecurve::tracking {
@@ -21,7 +22,13 @@ std::vector<fs::path> Build::all_programs() const {
 }
 
 Json ask(const Build& build, const std::string& question) {
-  return Json::parse(io::output_of({build.kernel_program().string(), question}));
+  const std::string answer = io::output_of({build.kernel_program().string(), question});
+  try {
+    return io::parse_ordered_json(answer);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("kernel_benchmark " + question + " answers what is " +
+                                error.what());
+  }
 }
 
 Build build_in(const fs::path& folder) {

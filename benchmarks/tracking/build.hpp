@@ -21,7 +21,7 @@ struct Build {
 };
 
 /// What kernel_benchmark answers to --kernels, --environment, --accuracy, --limits.
-/// Throws std::runtime_error where it fails.
+/// Throws std::runtime_error where it fails, std::invalid_argument where it answers no JSON.
 Json ask(const Build& build, const std::string& question);
 
 /// A folder with programs, or a build tree with bin/ in it. Throws std::invalid_argument if there

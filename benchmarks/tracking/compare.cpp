@@ -10,6 +10,7 @@
 
 #include "benchmarks/tracking/machine_fingerprint.hpp"
 #include "benchmarks/tracking/make_record.hpp"
+#include "benchmarks/tracking/marked_kernels.hpp"
 
 namespace wavecurve::tracking {
 
@@ -45,18 +46,19 @@ void compare_counts(const Json& before, const Json& after, const CompareOptions&
   const Json none = Json::object();
   const Json a = before.value("kernels", none), b = after.value("kernels", none);
   for (const auto& [name, old] : a.items()) {
-    if (!b.contains(name) || b[name]["size"] != old["size"]) {
+    const auto found = b.find(name);
+    if (found == b.end() || found->at("size") != old.at("size")) {
       result.notes.push_back("kernel " + name + " is only in one of the two");
       continue;
     }
     const auto references = [](const Json& c) {
-      return c["data_reads"].get<double>() + c["data_writes"].get<double>();
+      return c.at("data_reads").get<double>() + c.at("data_writes").get<double>();
     };
-    Row row{name + "/" + old["size"].dump(), "instructions", old["instructions"].get<double>(),
-            b[name]["instructions"].get<double>()};
+    Row row{name + "/" + old.at("size").dump(), "instructions",
+            old.at("instructions").get<double>(), found->at("instructions").get<double>()};
     row.ratio = {row.after / row.before, row.after / row.before, row.after / row.before};
     row.verdict = judge_count(row.before, row.after, options.thresholds.count);
-    row.note = fmt::format("data references {:.4f}", references(b[name]) / references(old));
+    row.note = fmt::format("data references {:.4f}", references(*found) / references(old));
     result.rows.push_back(row);
   }
 }
@@ -71,13 +73,14 @@ void compare_accuracy(const Json& before, const Json& after, const CompareOption
   const Json none = Json::object();
   const Json a = before.value("accuracy", none), b = after.value("accuracy", none);
   for (const auto& [name, old] : a.items()) {
-    if (!b.contains(name)) continue;
-    const auto kind = old["kind"].get<std::string>();
+    const auto found = b.find(name);
+    if (found == b.end()) continue;
+    const auto kind = old.at("kind").get<std::string>();
     // What is no number is null in JSON.
     const auto value = [](const Json& entry) {
-      return entry["value"].is_number() ? entry["value"].get<double>() : std::nan("");
+      return entry.at("value").is_number() ? entry.at("value").get<double>() : std::nan("");
     };
-    Row row{"accuracy " + name, kind, value(old), value(b[name])};
+    Row row{"accuracy " + name, kind, value(old), value(*found)};
     const double ratio = loss(kind, row.before, row.after);
     row.ratio = {ratio, ratio, ratio};
     row.verdict = judge_accuracy(kind, row.before, row.after, options.thresholds);
@@ -123,10 +126,9 @@ bool is_identical(const fs::path& a, const fs::path& b) {
 std::vector<BenchmarkName> marked(const Build& build) {
   std::vector<BenchmarkName> names;
   if (!build.has_kernels()) return names;
-  for (const Json& kernel : ask(build, "--kernels")) {
-    if (kernel.value("plain", false)) continue;
-    names.push_back({"kernel_benchmark", kernel["name"].get<std::string>() + "/" +
-                                             std::to_string(kernel["size"].get<long>())});
+  for (const MarkedKernel& kernel : marked_kernels(build)) {
+    if (kernel.is_plain) continue;
+    names.push_back({"kernel_benchmark", kernel.name + "/" + std::to_string(kernel.size)});
   }
   return names;
 }
@@ -166,9 +168,9 @@ std::map<std::string, std::vector<double>> recorded_times(const Json& record) {
   std::map<std::string, std::vector<double>> times;
   for (const Json& entry : record.value("benchmarks", Json::array())) {
     if (!entry.contains("cpu_time")) continue;
-    const double scale = seconds_of_unit(entry["time_unit"].get<std::string>());
-    for (const Json& time : entry["cpu_time"]) {
-      times[entry["name"].get<std::string>()].push_back(time.get<double>() * scale);
+    const double scale = seconds_of_unit(entry.at("time_unit").get<std::string>());
+    for (const Json& time : entry.at("cpu_time")) {
+      times[entry.at("name").get<std::string>()].push_back(time.get<double>() * scale);
     }
   }
   return times;

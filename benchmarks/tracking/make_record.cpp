@@ -7,9 +7,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 
 #include "benchmarks/tracking/machine_fingerprint.hpp"
+#include "benchmarks/tracking/marked_kernels.hpp"
 
 namespace wavecurve::tracking {
 
@@ -17,10 +20,8 @@ namespace {
 
 std::vector<CountedKernel> counted_kernels(const Build& build) {
   std::vector<CountedKernel> list;
-  for (const Json& kernel : ask(build, "--kernels")) {
-    if (kernel.value("plain", false)) continue;
-    list.push_back({kernel["name"].get<std::string>(), kernel["size"].get<long>(),
-                    kernel.value("counted_runs", 1L)});
+  for (const MarkedKernel& kernel : marked_kernels(build)) {
+    if (!kernel.is_plain) list.push_back({kernel.name, kernel.size, kernel.counted_runs});
   }
   return list;
 }
@@ -40,7 +41,8 @@ Json as_json(const std::vector<CountedKernel>& kernels, const std::vector<Counts
 std::string vectors_in_valgrind(const Build& build) {
   const std::string text = io::output_of(
       {"valgrind", "--tool=none", "-q", build.kernel_program().string(), "--environment"});
-  return Json::parse(text)["vectors"].get<std::string>();
+  const Json environment = io::parse_ordered_json(text);
+  return io::OrderedJsonPlace(environment).at("vectors").text();
 }
 
 /// Whether it runs, too: some containers do not let it.
@@ -69,9 +71,10 @@ Json joined(const BenchmarkName& benchmark, const Json& runs) {
                                     "cpu_time"};
   Json entry = {{"program", benchmark.program},
                 {"name", benchmark.name},
-                {"time_unit", runs[0]["time_unit"]}};
+                {"time_unit", runs.at(0).at("time_unit")}};
   for (const Json& run : runs) {
-    for (const char* key : {"real_time", "cpu_time", "iterations"}) entry[key].push_back(run[key]);
+    for (const char* key : {"real_time", "cpu_time", "iterations"})
+      entry[key].push_back(run.at(key));
     for (const auto& [key, value] : run.items()) {
       const bool is_counter = std::find(known.begin(), known.end(), key) == known.end();
       if (is_counter && value.is_number()) entry["counters"][key].push_back(value);

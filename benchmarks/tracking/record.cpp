@@ -4,8 +4,13 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/files/write_file.hpp"
+
+#include "benchmarks/tracking/check_record.hpp"
 
 namespace wavecurve::tracking {
 
@@ -13,15 +18,14 @@ namespace fs = std::filesystem;
 
 Json read_record(const fs::path& path) {
   const std::string text = io::read_file(path);
-  Json record = Json::parse(text, nullptr, false);
-  if (!record.is_object() || !record.contains("schema") || !record["schema"].is_number_integer()) {
-    throw std::invalid_argument(path.string() + " is no record: it has no number \"schema\"");
+  try {
+    Json record = io::parse_ordered_json(text);
+    io::OrderedJsonPlace(record).at("schema").whole_number(1, record_schema);
+    check_record(record);
+    return record;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path.string() + " is no record: " + error.what());
   }
-  if (record["schema"].get<int>() > record_schema) {
-    throw std::invalid_argument(path.string() + " has schema " + record["schema"].dump() +
-                                "; at most " + std::to_string(record_schema) + " is known here");
-  }
-  return record;
 }
 
 fs::path append_record(const fs::path& history, const Json& record) {
@@ -32,23 +36,25 @@ fs::path append_record(const fs::path& history, const Json& record) {
   fs::path path = history / (stem + ".json");
   for (int i = 2; fs::exists(path); ++i)
     path = history / (stem + "-" + std::to_string(i) + ".json");
-  io::write_file(path, record.dump(1) + "\n");
+  io::write_file(path, io::json_text(record, 1) + "\n");
   return path;
 }
 
-std::vector<Json> read_history(const fs::path& history) {
-  std::vector<Json> records;
-  if (!fs::is_directory(history)) return records;
+History read_history(const fs::path& history) {
+  History result;
+  if (!fs::is_directory(history)) return result;
   for (const auto& entry : fs::directory_iterator(history)) {
     if (entry.path().extension() != ".json") continue;
     try {
-      records.push_back(read_record(entry.path()));
-    } catch (const std::invalid_argument&) {
-      continue;
+      result.records.push_back(read_record(entry.path()));
+    } catch (const std::invalid_argument& error) {
+      result.refused.emplace_back(error.what());
     }
   }
-  std::ranges::sort(records, {}, [](const Json& record) { return record.value("date", ""); });
-  return records;
+  std::ranges::sort(result.refused);
+  std::ranges::sort(result.records, {},
+                    [](const Json& record) { return record.value("date", ""); });
+  return result;
 }
 
 }  // namespace wavecurve::tracking

@@ -15,16 +15,20 @@ using Json = nlohmann::ordered_json;
 /// docs/how-to-read-benchmarks.md.
 constexpr int record_schema = 1;
 
-/// Throws std::invalid_argument where the file cannot be read or is no record: no JSON, no schema
-/// number, or one above record_schema.
+/// Throws std::invalid_argument naming the file where it cannot be read or is no record: no JSON, no
+/// schema number or one above record_schema, or a place that is not as it must be (check_record).
 Json read_record(const std::filesystem::path& path);
 
 /// Adds the record to the history as a file of its own, DATE-REVISION.json, whole or not at all,
 /// and never instead of another; returns its path. Throws what io::write_file throws.
 std::filesystem::path append_record(const std::filesystem::path& history, const Json& record);
 
-/// All records of a folder, by date. Files that are none, such as what is left of a killed run,
-/// are passed over. No folder: no records.
-std::vector<Json> read_history(const std::filesystem::path& history);
+struct History {
+  std::vector<Json> records;         ///< by date
+  std::vector<std::string> refused;  ///< what read_record says of the files that are none
+};
+
+/// The records of a folder, all its files *.json. No folder: no records.
+History read_history(const std::filesystem::path& history);
 
 }  // namespace wavecurve::tracking

@@ -10,6 +10,7 @@
 #include "benchmarks/tracking/growth.hpp"
 #include "benchmarks/tracking/instruction_counts.hpp"
 #include "benchmarks/tracking/make_record.hpp"
+#include "benchmarks/tracking/marked_kernels.hpp"
 
 namespace wavecurve::tracking {
 
@@ -67,11 +68,11 @@ Check accuracy_finds(const Json& counts) {
 /// The kernels that are timed: in the short form two of the shortest.
 std::vector<BenchmarkName> timed_kernels(const Build& build, bool is_short) {
   std::vector<BenchmarkName> names;
-  for (const Json& kernel : ask(build, "--kernels")) {
-    const auto name = kernel["name"].get<std::string>();
-    const bool is_chosen = !is_short || name == slowed_kernel || name == "operator_product";
-    if (kernel.value("plain", false) || !is_chosen) continue;
-    names.push_back({"kernel_benchmark", name + "/" + kernel["size"].dump()});
+  for (const MarkedKernel& kernel : marked_kernels(build)) {
+    const bool is_chosen =
+        !is_short || kernel.name == slowed_kernel || kernel.name == "operator_product";
+    if (kernel.is_plain || !is_chosen) continue;
+    names.push_back({"kernel_benchmark", kernel.name + "/" + std::to_string(kernel.size)});
   }
   return names;
 }
@@ -143,30 +144,26 @@ Check times_find(const Build& build, bool is_short, const Say& say) {
 std::vector<Check> growths(const Build& build, const Say& say) {
   say("growth of the kernels");
   std::vector<CountedKernel> counted;
-  const Json kernels = ask(build, "--kernels");
-  for (const Json& kernel : kernels) {
-    for (const Json& size : kernel["sizes"]) {
-      counted.push_back({kernel["name"].get<std::string>(), size.get<long>()});
-    }
+  const std::vector<MarkedKernel> kernels = marked_kernels(build);
+  for (const MarkedKernel& kernel : kernels) {
+    for (const long size : kernel.sizes) counted.push_back({kernel.name, size});
   }
   const std::vector<Counts> counts = count_instructions(build.kernel_program(), counted, 1);
   std::vector<Check> checks;
   std::size_t next = 0;
-  for (const Json& kernel : kernels) {
+  for (const MarkedKernel& kernel : kernels) {
     std::vector<double> sizes, costs;
-    for (std::size_t i = 0; i < kernel["sizes"].size(); ++i, ++next) {
+    for (std::size_t i = 0; i < kernel.sizes.size(); ++i, ++next) {
       sizes.push_back(static_cast<double>(counted[next].size));
       costs.push_back(counts[next].instructions);
     }
     if (sizes.empty()) continue;
-    const auto stated = kernel["growth"].get<std::string>();
-    const GrowthFit fit = fit_growth(sizes, costs, stated);
-    const bool is_plain = kernel.value("plain", false);
-    checks.push_back(
-        {fmt::format("growth of {}: {} {}", kernel["name"].get<std::string>(),
-                     is_plain ? "found to be above" : "at most", stated),
-         fmt::format("({})^{:.3f}, {:.3f} .. {:.3f}", stated, fit.exponent, fit.lower, fit.upper),
-         fit.exceeds_stated() == is_plain});
+    const GrowthFit fit = fit_growth(sizes, costs, kernel.growth);
+    checks.push_back({fmt::format("growth of {}: {} {}", kernel.name,
+                                  kernel.is_plain ? "found to be above" : "at most", kernel.growth),
+                      fmt::format("({})^{:.3f}, {:.3f} .. {:.3f}", kernel.growth, fit.exponent,
+                                  fit.lower, fit.upper),
+                      fit.exceeds_stated() == kernel.is_plain});
   }
   return checks;
 }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
@@ -17,6 +19,7 @@ namespace wavecurve::tracking {
 namespace {
 
 namespace fs = std::filesystem;
+using Place = io::OrderedJsonPlace;
 
 /// The name as a regular expression that matches nothing else.
 std::string escaped(const std::string& name) {
@@ -48,15 +51,14 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
   static const std::regex no_number(": -?(nan|inf)[a-z]*", std::regex::icase);
   const std::string text = std::regex_replace(io::read_file(file), no_number, ": null");
   fs::remove(file);
-  Json json = Json::parse(text, nullptr, false);
   if (run.exit_code == 124) {
     throw std::runtime_error(fmt::format("{} took more than {} s", name, longest));
   }
-  if (run.exit_code != 0 || !json.is_object()) {
+  if (run.exit_code != 0) {
     throw std::runtime_error(
         fmt::format("{} {} ended with {}: {}", name, arguments[3], run.exit_code, run.err));
   }
-  return json;
+  return io::parse_ordered_json(text);
 }
 
 }  // namespace
@@ -89,11 +91,16 @@ Json run_benchmark(const fs::path& program, const std::string& name, double seco
                                              fmt::format("--benchmark_repetitions={}", repetitions),
                                              "--benchmark_report_aggregates_only=false"});
   Json runs = Json::array();
-  for (const Json& run : all["benchmarks"]) {
-    if (run.value("error_occurred", false)) {
-      throw std::runtime_error(name + ": " + run.value("error_message", "failed"));
+  for (const Place& run : Place(all).at("benchmarks").elements()) {
+    const auto failed = run.find("error_occurred");
+    if (failed && failed->value() == true) {
+      throw std::runtime_error(name + ": " + run.at("error_message").text());
     }
-    if (run.value("run_type", "iteration") == "iteration") runs.push_back(run);
+    const auto type = run.find("run_type");
+    if (type && type->text() != "iteration") continue;
+    run.at("time_unit").text();
+    for (const char* key : {"real_time", "cpu_time", "iterations"}) run.at(key).number();
+    runs.push_back(run.value());
   }
   if (runs.empty())
     throw std::runtime_error(program.filename().string() + " has no benchmark " + name);
@@ -104,8 +111,8 @@ double time_once(const fs::path& program, const std::string& name, double second
   constexpr int repetitions = 5;
   double least = std::numeric_limits<double>::infinity();
   for (const Json& run : run_benchmark(program, name, seconds / repetitions, repetitions)) {
-    least = std::min(least, run["cpu_time"].get<double>() *
-                                seconds_of_unit(run["time_unit"].get<std::string>()));
+    least = std::min(least, run.at("cpu_time").get<double>() *
+                                seconds_of_unit(run.at("time_unit").get<std::string>()));
   }
   return least;
 }

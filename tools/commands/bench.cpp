@@ -1,10 +1,13 @@
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "benchmarks/tracking/compare.hpp"
@@ -12,7 +15,9 @@
 #include "benchmarks/tracking/self_testing.hpp"
 #include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/terminal.hpp"
 
 namespace wavecurve::tools {
 
@@ -33,7 +38,7 @@ Side side_of(const std::string& name, Programs programs) {
   if (name != "." && fs::is_directory(path)) return {name, build_in(path), {}};
   say("building " + (name == "." ? "the working tree" : name));
   Build build = build_revision(clone(), name == "." ? "" : name, programs);
-  return {build.name + " (" + build.revision["commit"].get<std::string>().substr(0, 10) + ")",
+  return {build.name + " (" + build.revision.at("commit").get<std::string>().substr(0, 10) + ")",
           build,
           {}};
 }
@@ -55,9 +60,10 @@ void run_record(RecordArguments arguments) {
   const fs::path path =
       append_record(given_or_of_clone(arguments.history, "benchmarks/history"), record);
   stop_saying();
-  fmt::print("recorded {}: {} marked kernels, {} benchmarks, in {}\n", side.name,
-             record.value("kernels", Json::object()).size(),
-             record.value("benchmarks", Json::array()).size(), path.string());
+  print_text(fmt::format("recorded {}: {} marked kernels, {} benchmarks, in {}\n",
+                         printable(side.name), record.value("kernels", Json::object()).size(),
+                         record.value("benchmarks", Json::array()).size(),
+                         printable(path.string())));
 }
 
 void add_record(CLI::App& bench) {
@@ -68,14 +74,16 @@ void add_record(CLI::App& bench) {
       ->add_option("revision", arguments->revision,
                    "A revision, or a folder with programs; . is the working tree")
       ->capture_default_str();
-  command->add_option("--filter", arguments->options.filter,
-                      "Time only benchmarks that match this regular expression");
-  command->add_option("--repetitions", arguments->options.repetitions, "Of each benchmark")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_flag("--only-kernels", arguments->only_kernels,
-                    "Time the marked kernels, not the other programs");
-  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing");
+  CLI::Option* filter =
+      command->add_option("--filter", arguments->options.filter,
+                          "Time only benchmarks that match this regular expression");
+  CLI::Option* repetitions =
+      command->add_option("--repetitions", arguments->options.repetitions, "Of each benchmark");
+  repetitions->check(whole_number_from(1, 1000))->capture_default_str();
+  CLI::Option* only_kernels = command->add_flag("--only-kernels", arguments->only_kernels,
+                                                "Time the marked kernels, not the other programs");
+  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing")
+      ->excludes(filter, repetitions, only_kernels);
   command
       ->add_option("--history", arguments->history,
                    "Folder of the records; benchmarks/history of the clone if not given")
@@ -96,8 +104,9 @@ ExitCode run_compare(CompareArguments arguments) {
   const Side a = side_of(arguments.a, programs), b = side_of(arguments.b, programs);
   const Comparison comparison = compare(a, b, arguments.options, say);
   stop_saying();
-  fmt::print("{}", to_text(comparison, arguments.all));
-  if (!arguments.json.empty()) io::write_file(arguments.json, to_json(comparison).dump(1) + "\n");
+  print_text(to_text(comparison, arguments.all));
+  if (!arguments.json.empty())
+    io::write_file(arguments.json, io::json_text(to_json(comparison), 1) + "\n");
   if (!arguments.markdown.empty()) io::write_file(arguments.markdown, to_markdown(comparison));
   return static_cast<ExitCode>(comparison.exit_code());
 }
@@ -113,17 +122,20 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
       ->required();
   command->add_option("after", arguments->b, "The same; . is the working tree")
       ->capture_default_str();
-  command->add_option("--filter", options.filter,
-                      "Time the benchmarks of all programs that match this regular expression; "
-                      "the marked kernels if not given");
-  command->add_option("--blocks", options.blocks, "A B B A, of each benchmark")
-      ->check(CLI::Range(6, 1000))
-      ->capture_default_str();
-  command->add_option("--threshold", options.thresholds.time, "Of a change of time that matters")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command->add_option("--seed", options.seed, "Of the order")->capture_default_str();
-  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing");
+  CLI::Option* filter =
+      command->add_option("--filter", options.filter,
+                          "Time the benchmarks of all programs that match this regular expression; "
+                          "the marked kernels if not given");
+  CLI::Option* blocks =
+      command->add_option("--blocks", options.blocks, "A B B A, of each benchmark");
+  blocks->check(whole_number_from(6, 1000))->capture_default_str();
+  CLI::Option* threshold = command->add_option("--threshold", options.thresholds.time,
+                                               "Of a change of time that matters");
+  threshold->check(number_from(0, 1))->capture_default_str();
+  CLI::Option* seed = command->add_option("--seed", options.seed, "Of the order");
+  seed->check(whole_number_from(0, std::numeric_limits<long>::max()))->capture_default_str();
+  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing")
+      ->excludes(filter, blocks, threshold, seed);
   command->add_flag("--all", arguments->all, "Show also what is the same");
   command->add_flag("--force", options.is_forced, "Compare records of different machines");
   command->add_option("--json", arguments->json, "Write the comparison as JSON")->type_name("FILE");
@@ -134,7 +146,7 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
       exit_code = run_compare(*arguments);
     } catch (const MachinesDiffer& error) {
       stop_saying();
-      fmt::print(stderr, "wavecurve: {}\n", error.what());
+      print_message(error.what());
       exit_code = machines_differ;
     }
   });
@@ -182,9 +194,9 @@ void bless(const CheckArguments& arguments) {
     throw std::runtime_error("nothing to bless: valgrind does not run here");
   }
   fs::create_directories(arguments.baseline.parent_path());
-  io::write_file(arguments.baseline, record.dump(1) + "\n");
+  io::write_file(arguments.baseline, io::json_text(record, 1) + "\n");
   stop_saying();
-  fmt::print("blessed: {}\n", arguments.baseline.string());
+  fmt::print("blessed: {}\n", printable(arguments.baseline.string()));
 }
 
 ExitCode run_check(const CheckArguments& arguments) {
@@ -195,14 +207,14 @@ ExitCode run_check(const CheckArguments& arguments) {
   try {
     const Comparison comparison = compare(baseline, now, options, say);
     stop_saying();
-    fmt::print("{}", to_text(comparison, arguments.all));
+    print_text(to_text(comparison, arguments.all));
     if (comparison.exit_code() == 1) {
       fmt::print("if this is wanted: tools/bench.sh check --bless\n");
     }
     return static_cast<ExitCode>(comparison.exit_code());
   } catch (const MachinesDiffer& reason) {
     stop_saying();
-    fmt::print("instruction counts not checked, {}\n", reason.what());
+    fmt::print("instruction counts not checked, {}\n", printable(reason.what()));
     return done;
   }
 }
@@ -218,7 +230,8 @@ void add_check(CLI::App& bench, ExitCode& exit_code) {
                    "The blessed record; benchmarks/baseline/counts.json of the clone if not given")
       ->type_name("FILE");
   command->add_flag("--bless", arguments->bless, "Make this build's record the blessed one");
-  command->add_flag("--all", arguments->all, "Show also what is the same");
+  command->add_flag("--all", arguments->all, "Show also what is the same")
+      ->excludes(command->get_option("--bless"));
   command->callback([arguments, &exit_code] {
     arguments->baseline = given_or_of_clone(arguments->baseline, "benchmarks/baseline/counts.json");
     if (arguments->bless) {

@@ -5,11 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 #include "benchmarks/pages/history_page.hpp"
 #include "benchmarks/pages/peers_page.hpp"
 #include "tools/commands/clone.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/terminal.hpp"
 
 namespace wavecurve::tools {
 
@@ -22,7 +26,7 @@ using namespace tracking;
 void write(const reports::Page& page, const fs::path& given, const std::string& name) {
   const fs::path folder = given_or_of_clone(given, "reports/latest");
   reports::write_page(page, folder, name);
-  fmt::print("page: {}\n", (folder / (name + ".html")).string());
+  fmt::print("page: {}\n", printable((folder / (name + ".html")).string()));
 }
 
 void add_history(CLI::App& bench) {
@@ -40,7 +44,11 @@ void add_history(CLI::App& bench) {
       ->type_name("DIR");
   command->callback([=] {
     const fs::path records = given_or_of_clone(*history, "benchmarks/history");
-    write(history_page(read_history(records), read_limit_reasons(records)), *output, "history");
+    const History read = read_history(records);
+    for (const std::string& refusal : read.refused) {
+      print_message("left out: " + refusal);
+    }
+    write(history_page(read.records, read_limit_reasons(records)), *output, "history");
   });
 }
 
@@ -54,7 +62,7 @@ void add_peers(CLI::App& bench) {
                       "Folder with all benchmark programs; build/release/bin of the clone if not "
                       "given");
   command->add_option("--blocks", options->blocks, "Ours, peer, peer, ours, of each pair")
-      ->check(CLI::Range(6, 1000))
+      ->check(whole_number_from(6, 1000))
       ->capture_default_str();
   command
       ->add_option("-o,--output", *output,

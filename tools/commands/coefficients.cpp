@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -10,12 +9,17 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/certified_decimals.hpp"
+#include "wavecurve/certified/moments.hpp"
+#include "wavecurve/certified/point_values.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/coefficients_quantity.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
 
@@ -51,8 +55,9 @@ Orders parse_orders(const std::string& text) {
   Orders orders{};
   const auto comma = text.find(',');
   const auto number = [&](std::string_view part, int& value) {
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return error == std::errc() && end == part.data() + part.size();
+    const auto parsed = parsed_whole_number(part);
+    if (parsed) value = static_cast<int>(std::clamp(*parsed, -1L, 1000L));
+    return parsed.has_value();
   };
   if (comma == std::string::npos || !number(std::string_view(text).substr(0, comma), orders.p) ||
       !number(std::string_view(text).substr(comma + 1), orders.q)) {
@@ -78,7 +83,7 @@ std::string coefficients_as_json(const FilterDefinition& definition,
     }
     document[name] = rows;
   }
-  return document.dump(2) + "\n";
+  return io::json_text(document, 2) + "\n";
 }
 
 std::string coefficients_as_csv(const FilterDefinition& definition,
@@ -114,7 +119,7 @@ std::string coefficients_as_text(const FilterDefinition& definition,
   std::string text = fmt::format(
       "connection coefficients of {}, derivatives {},{}, normalization {}\n"
       "{} in the index; beyond the last index zero\n",
-      definition.name, orders.p, orders.q, options.normalization,
+      printable(definition.name), orders.p, orders.q, options.normalization,
       (orders.p + orders.q) % 2 == 0 ? "symmetric" : "mu and nu antisymmetric");
   constexpr std::size_t longest_fraction = 40;
   for (const auto& [name, values] : columns) {
@@ -190,27 +195,41 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
       app.add_subcommand("coefficients", "Print certified connection coefficients alpha, mu, nu");
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
       ->required();
-  command->add_option("--derivatives", options->derivatives, "Orders p,q of the two derivatives")
-      ->capture_default_str();
+  CLI::Option* derivatives = command->add_option("--derivatives", options->derivatives,
+                                                 "Orders p,q of the two derivatives");
+  derivatives->capture_default_str();
   CLI::Option* quantity = command->add_option(
       "--quantity", options->quantity,
       "Print one quantity instead, in the words of `check`:\n" + verification::quantities_help());
-  command
-      ->add_option(
-          "--integral", options->integral,
-          "The same as --quantity \"int(...)\": \"phi' phi(l) phi(m)\" is the integral of\n"
-          "phi'(x) phi(x - l) phi(x - m) for all l, m")
-      ->excludes(quantity);
-  command->add_option("--level", options->level, "Values of phi and psi at the points k / 2^LEVEL")
-      ->capture_default_str();
-  command->add_option("--moments", options->moments, "Highest moment of moment(...)")
-      ->capture_default_str();
+  CLI::Option* integral = command->add_option(
+      "--integral", options->integral,
+      "The same as --quantity \"int(...)\": \"phi' phi(l) phi(m)\" is the integral of\n"
+      "phi'(x) phi(x - l) phi(x - m) for all l, m");
+  integral->excludes(quantity);
+  CLI::Option* level =
+      command
+          ->add_option("--level", options->level, "Values of phi and psi at the points k / 2^LEVEL")
+          ->check(whole_number_from(0, certified::highest_dyadic_level))
+          ->capture_default_str();
+  CLI::Option* moments =
+      command->add_option("--moments", options->moments, "Highest moment of moment(...)")
+          ->check(whole_number_from(0, certified::highest_moment))
+          ->capture_default_str();
   add_digits_option(*command, options->digits);
-  command->add_option("--normalize", options->normalization, "Divide mu and nu by their index 0")
-      ->check(CLI::IsMember({"none", "first"}))
-      ->capture_default_str();
+  CLI::Option* normalize = command->add_option("--normalize", options->normalization,
+                                               "Divide mu and nu by their index 0");
+  normalize->check(CLI::IsMember({"none", "first"}))->capture_default_str();
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
-  command->callback([options] { run_coefficients(*options); });
+  for (CLI::Option* of_sequences : {derivatives, normalize}) {
+    of_sequences->excludes(quantity, integral);
+  }
+  command->callback([=] {
+    for (const CLI::Option* of_quantities : {level, moments}) {
+      if (of_quantities->empty() || !quantity->empty() || !integral->empty()) continue;
+      throw std::invalid_argument(of_quantities->get_name() + " takes --quantity or --integral");
+    }
+    run_coefficients(*options);
+  });
 }
 
 }  // namespace wavecurve::tools

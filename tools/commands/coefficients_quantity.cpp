@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 
 #include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
@@ -41,7 +43,7 @@ std::string as_json(const QuantityOutput& options, const std::string& filter,
          {"radius", number.radius},
          {"exact", number.exact ? ordered_json(*number.exact) : ordered_json()}});
   }
-  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document, 2) + "\n";
 }
 
 std::string as_csv(const std::string& filter, const Quantity& quantity, const Entries& entries) {
@@ -75,7 +77,7 @@ MarkupTable as_markup(const std::string& filter, const Quantity& quantity, const
 }
 
 std::string as_text(const std::string& filter, const Quantity& quantity, const Entries& entries) {
-  std::string text = fmt::format("{} of {}\n\n", to_string(quantity), filter);
+  std::string text = fmt::format("{} of {}\n\n", to_string(quantity), printable(filter));
   constexpr std::size_t longest_fraction = 40;
   for (const auto& [index, number] : entries) {
     text += fmt::format("{:>8}  {}{}  +- {}", index.text(),

@@ -12,13 +12,16 @@
 #include <fmt/ranges.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "reports/write_study.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/number_format.hpp"
 #include "tools/commands/output/study_text.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/terminal.hpp"
 #include "verification/study/named_shapes.hpp"
 #include "verification/study/study_journal.hpp"
 #include "verification/study/study_json.hpp"
@@ -108,9 +111,9 @@ std::string study_as_text(const std::vector<StudyPoint>& points, const StudySumm
   std::string text = study_text(points, summary);
   const auto sentences = reports::answer(points, summary);
   if (settings_of(points).size() > 1) text += fmt::format("\n{}\n", fmt::join(sentences, "\n"));
-  return text + (directory.empty()
-                     ? "\n-o DIR also writes a page of charts\n"
-                     : fmt::format("\nreport: {}\n", (directory / "index.html").string()));
+  return text + (directory.empty() ? "\n-o DIR also writes a page of charts\n"
+                                   : fmt::format("\nreport: {}\n",
+                                                 printable((directory / "index.html").string())));
 }
 
 void compare_solvers(const CompareOptions& given) {
@@ -127,7 +130,11 @@ void compare_solvers(const CompareOptions& given) {
   const std::string text = options.format == "json"  ? to_json(points, summary)
                            : options.format == "csv" ? study_csv(points)
                                                      : study_as_text(points, summary, directory);
-  std::fputs(text.c_str(), stdout);
+  if (options.format == "text") {
+    print_text(text);
+  } else {
+    std::fputs(text.c_str(), stdout);
+  }
 }
 
 }  // namespace
@@ -144,11 +151,12 @@ void add_compare_command(CLI::App& app, ExitCode&) {
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--samples", options->samples, "Numbers of samples, powers of two")
+      ->check(samples_check())
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--levels", options->levels, "Levels of decomposition; all if not given")
       ->delimiter(',')
-      ->check(CLI::NonNegativeNumber);
+      ->check(levels_check());
   command
       ->add_option("--shape", options->shapes,
                    "ellipse, star, dent, or the first contour of a drawing (.svg, .csv), fitted to "
@@ -158,6 +166,7 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   command
       ->add_option("--damping", options->dampings,
                    "s1,s2 of the damping C = s1 M + s2 K; may be repeated")
+      ->check(number_from(0, 1e12))
       ->delimiter(',')
       ->default_str("0,0 0,0.1 0,1");
   command->add_option("--solvers", options->solvers, "Names, separated by commas; all if not given")
@@ -166,7 +175,7 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   command->add_option(
       "-o,--output", options->directory,
       "Also write index.html with charts, compare.json and compare.csv into this folder; finished "
-      "points are kept there in compare.points.jsonl, and a compare_solvers that was interrupted goes on from "
+      "points are kept there in compare.points.jsonl, and a run that was interrupted goes on from "
       "them (remove that file to measure anew)");
   command->callback([options] { compare_solvers(*options); });
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/descriptor.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/io/descriptor_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"
@@ -13,7 +14,8 @@
 #include "wavecurve/transform/bands.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/drawing_input.hpp"
+#include "tools/commands/input/drawing_input.hpp"
+#include "tools/commands/input/number_option.hpp"
 
 namespace wavecurve::tools {
 
@@ -60,19 +62,21 @@ void print_row(const std::string& layer, std::size_t contour, const ContourDescr
 
 void print_table(const Descriptor& descriptor) {
   const DescriptorOptions& how = descriptor.options;
-  fmt::print("filter {}, {} samples a contour, {} levels\n", descriptor.filter, how.samples,
-             how.levels);
+  fmt::print("filter {}, {} samples a contour, {} levels\n", printable(descriptor.filter),
+             how.samples, how.levels);
   fmt::print(
       "share of the energy about the mean, in %: of the coarsest scale, then of the details "
       "that lead to each finer one\n\n");
   std::size_t width = 5;
-  for (const LayerDescriptor& layer : descriptor.layers) width = std::max(width, layer.id.size());
+  for (const LayerDescriptor& layer : descriptor.layers) {
+    width = std::max(width, printable(layer.id).size());
+  }
   fmt::print("{:<{}}  {:>7}  {:<6}  {:>10}", "layer", width, "contour", "", "length");
   for (int level = how.levels; level >= 0; --level) fmt::print("  {:>8}", how.samples >> level);
   fmt::print("\n");
   for (const LayerDescriptor& layer : descriptor.layers) {
     for (std::size_t i = 0; i < layer.contours.size(); ++i) {
-      print_row(layer.id, i, layer.contours[i], how.levels, static_cast<int>(width));
+      print_row(printable(layer.id), i, layer.contours[i], how.levels, static_cast<int>(width));
     }
   }
 }
@@ -96,8 +100,9 @@ void add_describe_command(CLI::App& app, ExitCode&) {
   command
       ->add_option("--levels", options->levels,
                    "Levels of decomposition; down to 16 coefficients if not given")
-      ->check(CLI::NonNegativeNumber);
+      ->check(levels_check());
   command->add_option("--samples", options->samples, "Samples of each contour, a power of two")
+      ->check(samples_check())
       ->capture_default_str();
   command->add_flag("--interpolate", options->interpolate,
                     "The curve passes through the samples; without, they are its finest "

@@ -17,7 +17,9 @@
 #include "wavecurve/certified/diagnostics.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
 #include "tools/commands/commands.hpp"
@@ -140,7 +142,7 @@ std::string filter_as_json(const FilterDefinition& definition,
     document[name] = {{"first_index", filter.first_index}, {"taps", filter.taps}};
   }
   document["diagnostics"] = diagnostics(definition);
-  return document.dump(2) + "\n";
+  return io::json_text(document, 2) + "\n";
 }
 
 std::string filter_as_csv(const FilterDefinition& definition,
@@ -166,7 +168,7 @@ std::string filter_as_cpp(const FilterDefinition& definition,
 
 std::string filter_as_text(const FilterDefinition& definition,
                            const std::vector<NamedFilter>& filters) {
-  std::string text = "filter " + definition.name + "\n";
+  std::string text = "filter " + printable(definition.name) + "\n";
   const ordered_json facts = diagnostics(definition);
   for (const auto& [key, value] : facts.items()) {
     std::string label = key;
@@ -175,7 +177,7 @@ std::string filter_as_text(const FilterDefinition& definition,
     std::erase(shown, '"');
     text += fmt::format("  {:<24}{}\n", label, value.is_null() ? "not known, or none" : shown);
   }
-  const bool orthonormal = facts["orthonormal"];
+  const bool orthonormal = facts.at("orthonormal");
   for (const auto& [name, filter] : filters) {
     if (orthonormal && std::string_view(name).starts_with("synthesis")) continue;
     text += fmt::format("\n{}{}\n", name, orthonormal ? " (synthesis is the same)" : "");
@@ -255,10 +257,12 @@ void run_filter(const FilterOptions& options) {
 void add_filter_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<FilterOptions>();
   CLI::App* command = app.add_subcommand("filter", "Print a filter bank, correctly rounded");
-  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
-  command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop");
+  CLI::Option* name =
+      command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
   add_digits_option(*command, options->digits);
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
+  command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop")
+      ->excludes(name, command->get_option("--digits"), command->get_option("--format"));
   command->footer(
       "A JSON file with one's own filter: {\"taps\": [\"0.48...\", ...]}, and where they are needed\n"
       "first_index   of the taps, 0 unless given\n"

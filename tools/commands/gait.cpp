@@ -17,7 +17,8 @@
 #include "wavecurve/motion/gait/walk/gait_animation.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/drawing_input.hpp"
+#include "tools/commands/input/drawing_input.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/gait_table.hpp"
 #include "tools/commands/progress.hpp"
 
@@ -64,11 +65,14 @@ void add_fit(CLI::App* gait) {
       ->add_option("--scale", options->scale,
                    "Control points of an outline, a power of two from 4 on, or full")
       ->capture_default_str();
-  command->add_option("--samples", options->reading.samples,
-                      "Points of an outline, a power of two; as the file has it");
+  command
+      ->add_option("--samples", options->reading.samples,
+                   "Points of an outline, a power of two; as the file has it")
+      ->check(samples_check());
   command
       ->add_option("--thickness", options->reading.thickness,
                    "Of limbs that are given by joints, as a share of their length")
+      ->check(number_above(0, 10, "times the length of the limb"))
       ->capture_default_str();
   command
       ->add_option(
@@ -76,7 +80,8 @@ void add_fit(CLI::App* gait) {
           "Times t1,t2 of the publication's key frames; LF's first lift-off, and a quarter "
           "of the period later")
       ->delimiter(',')
-      ->expected(2);
+      ->expected(2)
+      ->check(number_from(-1e12, 1e12, "units of the record's times"));
   command
       ->add_option("--model", options->models,
                    "Models, a,b,...: the one of the least cross-validated error is taken; of all")
@@ -132,6 +137,7 @@ void write_walk(const SynthesisOptions& options, const gait::GaitAnimation& walk
 
 void synthesize(const SynthesisOptions& options) {
   check_sheet(options.sheet, options.output);
+  check_tolerance(options.tolerance, options.output);
   gait::GaitAnimationOptions how = options.animation;
   if (!options.gait.empty()) how.gait = gait::find_canine_gait(options.gait);
   const gait::GaitParameters parameters = io::read_gait_parameters(options.parameters);
@@ -161,24 +167,36 @@ void add_synthesize(CLI::App* gait) {
           "-o,--output", options->output,
           "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
       ->required();
-  command->add_option("--gait", options->gait, "walk, trot, pace or gallop; as recorded");
+  CLI::Option* gait_name =
+      command->add_option("--gait", options->gait, "walk, trot, pace or gallop; as recorded");
   command->add_option("--frames", options->animation.frames, "Of all cycles")
+      ->check(frames_check())
       ->capture_default_str();
-  command->add_option("--cycles", options->animation.cycles, "Cycles")->capture_default_str();
-  command->add_option("--scale", options->animation.scale,
-                      "Control points a contour, a power of two from 4 on; all points");
+  command->add_option("--cycles", options->animation.cycles, "Cycles")
+      ->check(whole_number_from(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--scale", options->animation.scale,
+                   "Control points a contour, a power of two from 4 on; all points")
+      ->check(samples_check());
   command->add_option("--samples", options->animation.samples, "Points a contour, a power of two")
+      ->check(samples_check())
       ->capture_default_str();
-  command->add_option("--period", options->period,
-                      "Seconds of a cycle; the record's, or 1 where its times number frames");
+  command
+      ->add_option("--period", options->period,
+                   "Seconds of a cycle; the record's, or 1 where its times number frames")
+      ->check(duration_check());
   command->add_flag("--smooth", options->smooth,
                     "Equal velocities on both sides of each key frame, not places alone");
-  command->add_flag("--subcycles", options->animation.subcycles,
-                    "The publication's cycle: A to D from two key frames and gammas");
+  command
+      ->add_flag("--subcycles", options->animation.subcycles,
+                 "The publication's cycle: A to D from two key frames and gammas")
+      ->excludes(gait_name);
   command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
   command
       ->add_option("--tolerance", options->tolerance,
                    "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->check(tolerance_check())
       ->capture_default_str();
   command->callback([options] { synthesize(*options); });
 }

@@ -13,11 +13,13 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
+#include "tools/commands/terminal.hpp"
 
 namespace wavecurve::tools {
 
@@ -156,9 +158,7 @@ std::string as_json(const std::vector<IdentifiedList>& lists) {
     }
     columns.push_back(std::move(column));
   }
-  return ordered_json{{"columns", columns}}.dump(2, ' ', false,
-                                                 nlohmann::json::error_handler_t::replace) +
-         "\n";
+  return io::json_text(ordered_json{{"columns", columns}}, 2) + "\n";
 }
 
 /// The list as a table that `check` reads. A convention holds for all columns of a table, so that
@@ -201,7 +201,11 @@ void run_identify(const IdentifyOptions& options, ExitCode& exit_code) {
                              : is_markup(options.format)
                                  ? to_markup(as_markup(lists), options.format)
                                  : as_text(lists);
-  std::fwrite(output.data(), 1, output.size(), stdout);
+  if (options.as_table || options.format != "text") {
+    std::fwrite(output.data(), 1, output.size(), stdout);
+  } else {
+    print_text(output);
+  }
   const bool all_found = std::all_of(lists.begin(), lists.end(),
                                      [](const IdentifiedList& l) { return !l.matches.empty(); });
   if (!all_found) exit_code = differs;
@@ -218,8 +222,10 @@ void add_identify_command(CLI::App& app, ExitCode& exit_code) {
                       "MATLAB, R, Julia\nor Fortran, a LaTeX or Markdown table), or - for standard "
                       "input");
   add_format_option(*command, options->format, {"text", "json", "markdown", "latex"});
-  command->add_flag("--table", options->as_table,
-                    "Print the first list that is found as a table for `check`");
+  command
+      ->add_flag("--table", options->as_table,
+                 "Print the first list that is found as a table for `check`")
+      ->excludes(command->get_option("--format"));
   command->footer(
       "Exit code: 0 if every list is found, 1 if one is not, 2 if the input has no numbers.");
   command->callback([options, &exit_code] { run_identify(*options, exit_code); });

@@ -19,8 +19,9 @@
 #include "wavecurve/motion/there_and_back.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/drawing_input.hpp"
-#include "tools/commands/motion_options.hpp"
+#include "tools/commands/input/drawing_input.hpp"
+#include "tools/commands/input/motion_options.hpp"
+#include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/crossings_table.hpp"
 #include "tools/commands/progress.hpp"
 
@@ -72,7 +73,7 @@ motion::MorphOptions morph_options(const MorphOptions& options) {
   }
   for (const std::string& text : options.starts) {
     const auto [layer, start] = parsed_pair(text, "--start", "a layer and a point, layer=17");
-    const auto number = parsed_number(start);
+    const auto number = parsed_whole_number(start);
     if (!number) {
       throw std::invalid_argument(must_be("--start", start, "the number of a point"));
     }
@@ -107,6 +108,11 @@ motion::ChosenMorph without_crossings(const Drawing& source, const Drawing& dest
       alternatives, taus, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
+/// Only a linear morph in even time can be rescaled by the viewer of a page.
+bool is_rescalable(const MorphOptions& options) {
+  return !options.motion.is_physical() && options.ease == motion::Ease::linear && !options.sheet;
+}
+
 void write_morph(const MorphOptions& options, int frames, const motion::Morph& morph) {
   Progress progress("frames");
   io::OutputOptions output;
@@ -117,8 +123,7 @@ void write_morph(const MorphOptions& options, int frames, const motion::Morph& m
     progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   };
   const bool is_physical = options.motion.is_physical();
-  // Only a linear morph in even time can be rescaled by the viewer of a page.
-  if (!is_physical && options.ease == motion::Ease::linear && !options.sheet) {
+  if (is_rescalable(options)) {
     return io::write_animation(options.output, morph, output);
   }
   const motion::Animation in_even_time =
@@ -133,13 +138,13 @@ void write_morph(const MorphOptions& options, int frames, const motion::Morph& m
   io::write_animation(options.output, motion::there_and_back(animation), output);
 }
 
-void check(const MorphOptions& options, int frames) {
-  check_at_least("--frames", frames, 2);
-  if (!(options.morph.duration > 0 && options.morph.duration <= 86400)) {
-    throw std::invalid_argument(
-        must_be("--duration", options.morph.duration, "above 0 and at most 86400 seconds"));
-  }
+void check(const MorphOptions& options) {
   check_sheet(options.sheet, options.output);
+  check_tolerance(options.tolerance, options.output);
+  if (options.tolerance > 0 && options.output.ends_with(".html") && is_rescalable(options)) {
+    throw std::invalid_argument(
+        "--tolerance is not for the page of a linear morph, which holds control points");
+  }
   options.motion.check();
   if (options.motion.is_physical() && options.crossings != Crossings::ignored) {
     throw std::invalid_argument("--crossings takes --motion linear, not physical");
@@ -147,8 +152,8 @@ void check(const MorphOptions& options, int frames) {
 }
 
 void run_morph(const MorphOptions& options) {
+  check(options);
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
-  check(options, frames);
   const motion::MorphOptions how = morph_options(options);
   const Drawing source = drawing_of(options.source), destination = drawing_of(options.destination);
   const std::vector<double> taus = inner_times(frames, options.ease);
@@ -191,10 +196,12 @@ void add_morph_command(CLI::App& app, ExitCode&) {
           "-o,--output", options->output,
           "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
       ->required();
-  command->add_option("--frames", options->frames, "Number of frames; 60, of a sheet 12");
+  command->add_option("--frames", options->frames, "Number of frames; 60, of a sheet 12")
+      ->check(frames_check());
   command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
       ->capture_default_str();
   command->add_option("--samples", options->morph.samples, "Points a contour, a power of two")
+      ->check(samples_check())
       ->capture_default_str();
   command
       ->add_option("--scale", options->scale,
@@ -205,8 +212,9 @@ void add_morph_command(CLI::App& app, ExitCode&) {
   add_choice(command, "--ease", options->ease, eases,
              "How time passes: linear (default), in, out, in-out");
   options->motion.add_to(command);
-  command->add_option("--duration", options->morph.duration, "Seconds")->capture_default_str();
-  command->add_flag("--loop", options->loop, "There and back, for ever");
+  CLI::Option* duration = command->add_option("--duration", options->morph.duration, "Seconds");
+  duration->check(duration_check())->capture_default_str();
+  CLI::Option* loop = command->add_flag("--loop", options->loop, "There and back, for ever");
   command->add_option("--map", options->map, "Layers that become each other, a=b")
       ->allow_extra_args(false);
   command
@@ -217,10 +225,12 @@ void add_morph_command(CLI::App& app, ExitCode&) {
                     "Take a rotation out before points are matched");
   add_choice(command, "--crossings", options->crossings, crossings_modes,
              "report them by frame and layer, or avoid them by scales chosen from --scale on");
-  command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
+  command->add_flag("--sheet", options->sheet, "Write the frames as one picture")
+      ->excludes(loop, duration);
   command
       ->add_option("--tolerance", options->tolerance,
                    "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->check(tolerance_check())
       ->capture_default_str();
   command->callback([options] { run_morph(*options); });
 }

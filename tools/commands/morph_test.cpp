@@ -103,13 +103,13 @@ TEST_F(MorphCommand, RefusesBadMotion) {
   expect_refusal(morph + "--stiffness 2", "--stiffness takes --motion physical");
   const std::string physical = morph + "--motion physical ";
   expect_refusal(physical + "--crossings report", "--crossings takes --motion linear");
-  expect_refusal(physical + "--stiffness -1", "stiffness is -1");
-  expect_refusal(physical + "--bending nan", "bending is nan");
-  expect_refusal(physical + "--density -2", "density is -2");
+  expect_refusal(physical + "--stiffness -1", "--stiffness: '-1' is not a number from 0");
+  expect_refusal(physical + "--bending nan", "--bending: 'nan' is not");
+  expect_refusal(physical + "--density -2", "--density: '-2' is not");
   expect_refusal(physical + "--density 0", "damping density above 0");
   expect_refusal(physical + "--damping 0,0", "damping is 0");
   expect_refusal(physical + "--damping 1", "--damping");
-  expect_refusal(physical + "--force 1,inf", "force is 1, inf");
+  expect_refusal(physical + "--force 1,inf", "--force: 'inf' is not");
   expect_refusal(physical + "--until never", "'never'");
   expect_refusal(physical + "--until 0", "until is 0");
   expect_refusal(physical + "--solver magic", "unknown solver 'magic'; known: spectral, decoupled");
@@ -129,8 +129,8 @@ TEST_F(MorphCommand, RefusesBadInput) {
   expect_refusal("morph a.svg b.svg -o out.json --scale 7", "scale is 7");
   expect_refusal("morph a.svg b.svg -o out.json --scale fine",
                  "--scale is 'fine', but must be a number");
-  expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames is 1");
-  expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration is 0");
+  expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames: '1' is not a whole number from 2");
+  expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration: '0' is not a number from 0.001");
   expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
   expect_refusal("morph a.svg b.svg -o out.json --map face", "must be two layers, a=b");
   expect_refusal("morph a.svg b.svg -o out.json --map face=nose",

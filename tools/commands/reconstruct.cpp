@@ -14,7 +14,7 @@
 #include "wavecurve/motion/animation.hpp"
 
 #include "tools/commands/commands.hpp"
-#include "tools/commands/drawing_input.hpp"
+#include "tools/commands/input/drawing_input.hpp"
 
 namespace wavecurve::tools {
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
@@ -17,6 +18,7 @@
 #include "wavecurve/transform/bands.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/number_option.hpp"
 
 namespace wavecurve::tools {
 
@@ -39,7 +41,7 @@ void check_ending(const std::string& output) {
 void print_measures(const FilterBank<double>& bank, const Eigen::SparseMatrix<double>& k,
                     int levels) {
   const double entries = static_cast<double>(k.rows()) * static_cast<double>(k.cols());
-  fmt::print("stiffness K of {}, e_0 = 1, unit parameter interval\n", bank.name);
+  fmt::print("stiffness K of {}, e_0 = 1, unit parameter interval\n", printable(bank.name));
   fmt::print("samples                       {}\n", k.rows());
   fmt::print("levels                        {}\n", levels);
   fmt::print("non-zeros                     {} ({:.3g} % of the entries)\n", k.nonZeros(),
@@ -95,11 +97,12 @@ void add_stiffness_command(CLI::App& app, ExitCode&) {
   command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
       ->required();
   command->add_option("--samples", options->samples, "Number of samples, a power of two")
+      ->check(samples_check())
       ->capture_default_str();
   command
       ->add_option("--levels", options->levels,
                    "Levels of decomposition, 0 for the single-scale matrix; all if not given")
-      ->check(CLI::NonNegativeNumber);
+      ->check(levels_check());
   command->add_option("--output", options->output,
                       "Write the matrix (.mtx, MatrixMarket) or its picture (.svg)");
   command->callback([options] { run_stiffness(*options); });

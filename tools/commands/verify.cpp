@@ -12,10 +12,12 @@
 #include <fmt/core.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/characters.hpp"
 
 #include "reports/terminal_table.hpp"
 #include "reports/write_report.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/terminal.hpp"
 #include "verification/suite/claim.hpp"
 #include "verification/suite/data_folder.hpp"
 #include "verification/suite/reference.hpp"
@@ -93,11 +95,24 @@ std::size_t terminal_width() {
 void print_changes(const std::vector<Change>& changes, const fs::path& reference) {
   fmt::print("\n{} since the blessed reference {}:\n",
              changes.size() == 1 ? "1 change" : fmt::format("{} changes", changes.size()),
-             reference.string());
+             printable(reference.string()));
   for (const Change& change : changes) {
-    fmt::print("  {}: {}: blessed {}, own {}\n", change.id, change.what, change.blessed,
-               change.own);
+    const std::string line = fmt::format("{}: {}: blessed {}, own {}", change.id, change.what,
+                                         change.blessed, change.own);
+    fmt::print("  {}\n", printable(line));
   }
+}
+
+/// Names the claims whose computation failed, which are neither compared nor blessed.
+bool report_failures(const std::vector<ClaimResult>& results) {
+  bool has_failure = false;
+  for (const ClaimResult& result : results) {
+    if (result.outcome.failure.empty()) continue;
+    has_failure = true;
+    print_message(
+        fmt::format("the computation of {} failed: {}", result.claim.id, result.outcome.failure));
+  }
+  return has_failure;
 }
 
 void verify(const VerifyOptions& given, ExitCode& exit_code) {
@@ -115,17 +130,18 @@ void verify(const VerifyOptions& given, ExitCode& exit_code) {
       chosen, watched ? verification::Progress(show_progress) : verification::Progress());
   reports::write_report({{}, date, WAVECURVE_VERSION, results}, options.output);
   fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
-             (options.output / "index.html").string());
+             printable((options.output / "index.html").string()));
 
+  if (report_failures(results)) exit_code = environment_failed;
   if (options.bless) {
     write_reference(options.reference, results, is_partial);
-    fmt::print("blessed: {}\n", options.reference.string());
+    fmt::print("blessed: {}\n", printable(options.reference.string()));
     return;
   }
   const auto changes = compare(reference, results, is_partial);
   if (changes.empty()) return;
   print_changes(changes, options.reference);
-  exit_code = differs;
+  if (exit_code == done) exit_code = differs;
 }
 
 }  // namespace
@@ -134,18 +150,23 @@ void add_verify_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand(
       "verify", "Hold every table, figure and claim of the publication against own values");
-  command->add_option("--only", options->only, "Run only these claims")->type_name("ID");
-  command->add_flag("--list", options->list, "Name the claims and stop");
+  CLI::Option* list = command->add_flag("--list", options->list, "Name the claims and stop");
+  command->add_option("--only", options->only, "Run only these claims")
+      ->type_name("ID")
+      ->excludes(list);
   command
       ->add_option("--output", options->output,
                    "Folder of the report; if not given, reports/latest of the source tree that the "
                    "program was built in, or wavecurve-report here if it is installed")
-      ->type_name("DIR");
-  command->add_flag("--bless", options->bless, "Make this run's verdicts and values the reference");
+      ->type_name("DIR")
+      ->excludes(list);
+  command->add_flag("--bless", options->bless, "Make this run's verdicts and values the reference")
+      ->excludes(list);
   command
       ->add_option("--reference", options->reference,
                    "File of the blessed verdicts; the program's own if not given")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(list);
   command->callback([options, &exit_code] {
     if (options->list) {
       list_claims();

@@ -42,7 +42,9 @@ TEST_F(VerifyCommand, ListsTheClaims) {
 }
 
 TEST_F(VerifyCommand, BlessesThenAgreesThenNamesWhatChanged) {
-  EXPECT_EQ(verify_into_report("--only erratum-2-5 erratum-3-16").exit_code, 1);
+  const ProgramRun missing = verify_into_report("--only erratum-2-5 erratum-3-16");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(has(missing.err, "verdicts.json: No such file")) << missing.err;
   EXPECT_EQ(verify_into_report("--only erratum-2-5 erratum-3-16 --bless").exit_code, 0);
   const ProgramRun same = verify_into_report("--only erratum-2-5");
   EXPECT_EQ(same.exit_code, 0) << same.out;
@@ -135,14 +137,14 @@ TEST_F(VerifyCommand, RefusesAReferenceOfAnotherVersionInOneLine) {
 TEST_F(VerifyCommand, SaysWhereTheReportCannotBeWritten) {
   io::write_file(directory / "file", "");
   const ProgramRun unwritable =
-      verify("--only erratum-2-5 --output '" + (directory / "file" / "report").string() + "'");
+      verify("--bless --only erratum-2-5 --output '" + (directory / "file" / "report").string() + "'");
   EXPECT_EQ(unwritable.exit_code, 3);
   EXPECT_TRUE(has(unwritable.err, "file/report")) << unwritable.err;
 }
 
 TEST_F(VerifyCommand, NamesThePackageOfAMissingGnuplot) {
   const ProgramRun missing =
-      verify("--only erratum-3-15 --output '" + report.string() + "'", "PATH=/nonexistent");
+      verify("--bless --only erratum-3-15 --output '" + report.string() + "'", "PATH=/nonexistent");
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_TRUE(has(missing.err, "gnuplot-nox")) << missing.err;
 }

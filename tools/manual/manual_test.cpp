@@ -18,6 +18,7 @@ const fs::path manual = WAVECURVE_MANUAL;
 struct HelpText {
   std::vector<std::string> path;
   std::vector<std::string> options, commands;
+  std::vector<std::string> unchecked;  ///< options that take numbers without stating their range
 };
 
 class Manual : public ProgramTest {
@@ -26,7 +27,7 @@ class Manual : public ProgramTest {
   std::vector<HelpText> help_below(const std::vector<std::string>& path = {}) const {
     std::string words;
     for (const std::string& word : path) words += word + " ";
-    HelpText help{path, {}, {}};
+    HelpText help{path, {}, {}, {}};
     std::istringstream lines(wavecurve(words + "--help").out);
     std::string section;
     for (std::string line; std::getline(lines, line);) {
@@ -35,6 +36,9 @@ class Manual : public ProgramTest {
       if (std::regex_search(line, match, std::regex("^  ((-\\w,)?--[\\w-]+)"))) {
         std::istringstream names(match[1]);
         for (std::string name; std::getline(names, name, ',');) help.options.push_back(name);
+        if (std::regex_search(line, std::regex(" (INT|UINT|FLOAT)(?!:(from|above) )"))) {
+          help.unchecked.push_back(words + help.options.back());
+        }
       } else if (section == "Subcommands:" &&
                  std::regex_search(line, match, std::regex("^  ([\\w-]+)"))) {
         help.commands.push_back(match[1]);
@@ -74,6 +78,10 @@ std::string call(const std::vector<std::string>& path) {
   std::string words = "wavecurve ";
   for (const std::string& word : path) words += word + " ";
   return words;
+}
+
+TEST_F(Manual, EveryOptionThatTakesNumbersChecksThem) {
+  for (const HelpText& help : help_below()) EXPECT_EQ(help.unchecked, std::vector<std::string>());
 }
 
 TEST_F(Manual, PagesNameEveryCommandAndOption) {

@@ -1,11 +1,14 @@
 #include "verification/study/study_json.hpp"
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 
 namespace wavecurve::verification {
@@ -13,6 +16,7 @@ namespace wavecurve::verification {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Place = io::OrderedJsonPlace;
 
 constexpr std::array<std::pair<const char*, double StudyErrors::*>, 8> error_names = {{
     {"displacement_l2_max", &StudyErrors::displacement_l2_max},
@@ -88,43 +92,71 @@ Json json_of(const std::vector<T>& items) {
   return json;
 }
 
-StudyErrors errors_of(const Json& json) {
+StudyErrors errors_of(const Place& place) {
   StudyErrors errors;
-  for (const auto& [name, member] : error_names) errors.*member = json.at("error").at(name);
-  errors.energy_drift = json.at("energy_drift");
+  for (const auto& [name, member] : error_names) {
+    errors.*member = place.at("error").at(name).number();
+  }
+  errors.energy_drift = place.at("energy_drift").number();
   return errors;
 }
 
-StudyPoint point_of(const Json& json) {
+std::vector<double> numbers_of(const Place& place) {
+  std::vector<double> numbers;
+  for (const Place& element : place.elements()) numbers.push_back(element.number());
+  return numbers;
+}
+
+/// A count, which is kept as a whole number or as a double.
+long long count_of(const Place& place) {
+  constexpr double most = 9007199254740992;  // 2^53
+  const double count = place.number();
+  if (!(count >= 0 && count <= most && count == std::trunc(count))) {
+    place.refuse("a whole number from 0 to 2^53");
+  }
+  return static_cast<long long>(count);
+}
+
+StudySetting setting_of(const Place& place) {
+  constexpr int most_samples = 1 << 20, most_levels = 20;
+  const std::vector<double> damping = numbers_of(place.at("damping"));
+  if (damping.size() != 2) place.at("damping").refuse("a list of two numbers");
+  return {place.at("filter").text(),
+          place.at("samples").whole_number(1, most_samples),
+          place.at("levels").whole_number(0, most_levels),
+          place.at("shape").text(),
+          damping[0],
+          damping[1]};
+}
+
+StudyPoint point_of(const Place& place) {
   StudyPoint point;
-  point.setting = {json.at("filter"), json.at("samples"),       json.at("levels"),
-                   json.at("shape"),  json.at("damping").at(0), json.at("damping").at(1)};
-  point.solver = json.at("solver");
-  if (!json.at("tolerance").is_null()) point.tolerance = json.at("tolerance").get<double>();
-  point.fingerprint = json.at("fingerprint");
-  if (json.at("status") == "failed") {
-    point.failure = json.at("reason");
+  point.setting = setting_of(place);
+  point.solver = place.at("solver").text();
+  const Place tolerance = place.at("tolerance");
+  if (!tolerance.value().is_null()) point.tolerance = tolerance.number();
+  point.fingerprint = place.at("fingerprint").text();
+  if (place.at("status").text() == "failed") {
+    point.failure = place.at("reason").text();
     return point;
   }
-  point.errors = errors_of(json);
-  if (json.contains("model_errors")) {
-    point.model_errors = json["model_errors"].get<std::vector<double>>();
-  }
-  point.cost = {json.at("cost").at("evaluations"), json.at("cost").at("operations")};
-  point.seconds = json.at("cost").at("seconds");
+  point.errors = errors_of(place);
+  if (const auto errors = place.find("model_errors")) point.model_errors = numbers_of(*errors);
+  const Place cost = place.at("cost");
+  point.cost = {count_of(cost.at("evaluations")), count_of(cost.at("operations"))};
+  point.seconds = cost.at("seconds").number();
   return point;
 }
 
 }  // namespace
 
-std::string to_json_line(const StudyPoint& point) {
-  return json_of(point).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string to_json_line(const StudyPoint& point) { return io::json_text(json_of(point)); }
 
 StudyPoint point_of_json_line(const std::string& line) {
   try {
-    return point_of(io::parse_ordered_json(line));
-  } catch (const nlohmann::json::exception& error) {
+    const Json document = io::parse_ordered_json(line);
+    return point_of(Place(document));
+  } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(std::string("no point of a study: ") + error.what());
   }
 }
@@ -134,7 +166,7 @@ std::string to_json(const std::vector<StudyPoint>& points, const StudySummary& s
                      {"floors", json_of(summary.floors)},
                      {"orders", json_of(summary.orders)},
                      {"growth", json_of(summary.growth)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return io::json_text(json, 2) + "\n";
 }
 
 }  // namespace wavecurve::verification

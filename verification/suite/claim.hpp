@@ -47,6 +47,8 @@ struct Outcome {
   Finding finding;      ///< our numbers, and a sentence made from them
   std::string summary;  ///< why the verdict is what it is, one or two sentences
   std::vector<Evidence> evidence;
+  /// Why the computation failed; empty where it did not. What failed is neither compared nor blessed.
+  std::string failure = {};
 };
 
 /// One table, figure or statement of the publication.

@@ -29,15 +29,20 @@ nlohmann::ordered_json to_json(const ClaimValue& value) {
   return json;
 }
 
-ClaimValue claim_value_of_json(const nlohmann::json& json) {
-  const bool significant = json.contains("significant_digits");
-  return {json.at("name").get<std::string>(),
-          json.at("number").get<double>(),
-          json.at("unit").get<std::string>(),
-          json.at(significant ? "significant_digits" : "decimals").get<int>(),
-          significant,
-          json.at("tolerance").get<double>(),
-          json.value("reason", std::string())};
+ClaimValue claim_value_of_json(const io::JsonPlace& place) {
+  constexpr int most_digits = 1000;
+  const bool significant = place.find("significant_digits").has_value();
+  ClaimValue value{place.at("name").text(),
+                   place.at("number").number(),
+                   place.at("unit").text(),
+                   place.at(significant ? "significant_digits" : "decimals")
+                       .whole_number(-most_digits, most_digits),
+                   significant,
+                   place.at("tolerance").number(),
+                   {}};
+  if (value.tolerance < 0) place.at("tolerance").refuse("at least 0");
+  if (const auto reason = place.find("reason")) value.reason = reason->text();
+  return value;
 }
 
 }  // namespace wavecurve::verification

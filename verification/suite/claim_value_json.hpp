@@ -2,6 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+
 #include "verification/suite/claim_value.hpp"
 
 namespace wavecurve::verification {
@@ -11,7 +13,7 @@ namespace wavecurve::verification {
 /// without a reason where there is none.
 nlohmann::ordered_json to_json(const ClaimValue& value);
 
-/// The inverse. Throws nlohmann::json::exception for what is no such object.
-ClaimValue claim_value_of_json(const nlohmann::json& json);
+/// The inverse. Throws std::invalid_argument naming the place for what is no such object.
+ClaimValue claim_value_of_json(const io::JsonPlace& place);
 
 }  // namespace wavecurve::verification

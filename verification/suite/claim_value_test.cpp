@@ -70,11 +70,11 @@ TEST(ClaimValue, SurvivesJson) {
        {counted("entries", 3744), to_decimals("share", 46.34, 1, "%"),
         to_digits("residual", 4.2e-9, 2).within(1e-8, "Rounding \"errors\".")}) {
     const auto json = nlohmann::json::parse(to_json(value).dump());
-    EXPECT_EQ(claim_value_of_json(json), value) << json.dump();
+    EXPECT_EQ(claim_value_of_json(io::JsonPlace(json)), value) << json.dump();
     for (const char* field : {"name", "number", "unit", "tolerance"}) {
       auto cut = json;
       cut.erase(field);
-      EXPECT_THROW(claim_value_of_json(cut), nlohmann::json::exception) << field;
+      EXPECT_THROW(claim_value_of_json(io::JsonPlace(cut)), std::invalid_argument) << field;
     }
   }
   EXPECT_EQ(to_json(counted("entries", 3744)).at("number").dump(), "3744");

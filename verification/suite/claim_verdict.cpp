@@ -30,4 +30,11 @@ std::string_view to_string(ClaimVerdict verdict) {
                               std::to_string(static_cast<int>(verdict)));
 }
 
+bool is_claim_verdict(std::string_view name) {
+  for (int i = 0; i <= static_cast<int>(ClaimVerdict::stand_in); ++i) {
+    if (to_string(static_cast<ClaimVerdict>(i)) == name) return true;
+  }
+  return false;
+}
+
 }  // namespace wavecurve::verification

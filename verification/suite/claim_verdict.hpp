@@ -23,4 +23,7 @@ enum class ClaimVerdict {
 /// that no verdict has.
 std::string_view to_string(ClaimVerdict verdict);
 
+/// Whether a verdict of a claim is called so.
+bool is_claim_verdict(std::string_view name);
+
 }  // namespace wavecurve::verification

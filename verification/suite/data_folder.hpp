@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace wavecurve::verification {
 
@@ -8,8 +9,11 @@ namespace wavecurve::verification {
 /// examples/ (drawings and a walk) and reference/ (the blessed verdicts). It is share/wavecurve
 /// beside the folder of the running program, so that an installed tree may stand anywhere; in a
 /// build tree links of these names lead to the sources. Throws std::system_error, naming the
-/// folder, if it is not there.
+/// file, if one of data_files() is not there: no result may change because one is missing.
 std::filesystem::path data_folder();
+
+/// The files of published/ and examples/ that the program was built with, as paths in data_folder().
+const std::vector<std::filesystem::path>& data_files();
 
 /// The source tree whose build tree the running program stands in; empty for an installed program.
 std::filesystem::path source_tree();

@@ -1,5 +1,7 @@
 #include "verification/suite/data_folder.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -13,7 +15,13 @@ namespace fs = std::filesystem;
 
 class DataFolder : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(prefix / "share/wavecurve/published"); }
+  void SetUp() override {
+    for (const fs::path& file : data_files()) {
+      const fs::path path = prefix / "share/wavecurve" / file;
+      fs::create_directories(path.parent_path());
+      std::ofstream(path) << "";
+    }
+  }
   void TearDown() override { fs::remove_all(prefix); }
 
   const fs::path prefix =
@@ -40,6 +48,22 @@ TEST_F(DataFolder, NamesThePlaceWhereNoDataAre) {
     const std::string what = error.what();
     EXPECT_NE(what.find((prefix / "elsewhere/share/wavecurve").string()), std::string::npos)
         << what;
+  }
+}
+
+TEST_F(DataFolder, WithoutOneOfItsFilesIsRefused) {
+  const auto& files = data_files();
+  EXPECT_NE(std::ranges::find(files, "published/taps_coiflets.csv"), files.end());
+  EXPECT_NE(std::ranges::find(files, "examples/dog-walk.csv"), files.end());
+  for (const fs::path& file : {files.front(), files.back()}) {
+    fs::rename(prefix / "share/wavecurve" / file, prefix / "aside");
+    try {
+      data_folder_of(prefix / "bin" / "wavecurve");
+      ADD_FAILURE() << file << " is not missed";
+    } catch (const std::system_error& error) {
+      EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos) << error.what();
+    }
+    fs::rename(prefix / "aside", prefix / "share/wavecurve" / file);
   }
 }
 

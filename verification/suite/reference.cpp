@@ -1,11 +1,14 @@
 #include "verification/suite/reference.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
@@ -14,6 +17,8 @@
 namespace wavecurve::verification {
 
 namespace {
+
+bool has_failed(const ClaimResult& result) { return !result.outcome.failure.empty(); }
 
 BlessedClaim bless(const ClaimResult& result) {
   return {result.claim.id, std::string(to_string(result.outcome.verdict)),
@@ -29,13 +34,18 @@ auto find(const Range& range, const std::string& key, Member member) {
 
 std::vector<BlessedClaim> bless_all(std::span<const ClaimResult> results) {
   std::vector<BlessedClaim> blessed;
-  for (const ClaimResult& result : results) blessed.push_back(bless(result));
+  for (const ClaimResult& result : results) {
+    if (!has_failed(result)) blessed.push_back(bless(result));
+  }
   return blessed;
 }
 
-BlessedClaim claim_of_json(const nlohmann::json& json) {
-  BlessedClaim claim{json.at("id").get<std::string>(), json.at("verdict").get<std::string>(), {}};
-  for (const auto& value : json.at("values")) claim.values.push_back(claim_value_of_json(value));
+BlessedClaim claim_of_json(const io::JsonPlace& place) {
+  BlessedClaim claim{place.at("id").text(), place.at("verdict").text(), {}};
+  if (!is_claim_verdict(claim.verdict)) place.at("verdict").refuse("a verdict of a claim");
+  for (const auto& value : place.at("values").elements()) {
+    claim.values.push_back(claim_value_of_json(value));
+  }
   return claim;
 }
 
@@ -47,14 +57,13 @@ nlohmann::ordered_json to_json(const BlessedClaim& claim) {
 }
 
 /// Files of version 1 did not say so.
-void require_schema(const std::filesystem::path& path, const nlohmann::json& document) {
-  const auto found = document.contains("schema") ? document.at("schema") : nlohmann::json(1);
-  if (found != schema_version) {
-    throw std::invalid_argument(fmt::format(
-        "{}: schema version {}, but this program reads version {} (wavecurve verify --bless, "
-        "without --only, writes the file anew)",
-        path.string(), found.dump(), schema_version));
-  }
+void require_schema(const io::JsonPlace& document) {
+  const auto found = document.find("schema");
+  if (found && found->value() == schema_version) return;
+  throw std::invalid_argument(
+      fmt::format("schema version {}, but this program reads version {} (wavecurve verify --bless, "
+                  "without --only, writes the file anew)",
+                  found ? found->value().dump() : "1", schema_version));
 }
 
 void compare_values(const BlessedClaim& before, const BlessedClaim& now,
@@ -81,40 +90,44 @@ void compare_values(const BlessedClaim& before, const BlessedClaim& now,
 }  // namespace
 
 std::vector<BlessedClaim> read_reference(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return {};
+  const auto document = io::read_json(path);
   try {
-    const auto document = io::read_json(path);
-    const auto& listed = document.at("claims");
-    require_schema(path, document);
+    const io::JsonPlace place(document);
+    const auto listed = place.at("claims").elements();
+    require_schema(place);
     std::vector<BlessedClaim> claims;
-    for (const auto& claim : listed) claims.push_back(claim_of_json(claim));
+    for (const io::JsonPlace& claim : listed) claims.push_back(claim_of_json(claim));
     return claims;
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument(path.string() + " is no reference file: " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path.string() + ": " + error.what());
   }
 }
 
 void write_reference(const std::filesystem::path& path, std::span<const ClaimResult> results,
                      bool keep_others) {
   std::vector<BlessedClaim> blessed = bless_all(results);
-  if (keep_others) {
-    for (const BlessedClaim& old : read_reference(path)) {
-      if (find(blessed, old.id, &BlessedClaim::id) == nullptr) blessed.push_back(old);
-    }
+  const auto is_kept = [&](const BlessedClaim& old) {
+    const bool has_run = std::ranges::any_of(
+        results, [&](const ClaimResult& result) { return result.claim.id == old.id; });
+    return find(blessed, old.id, &BlessedClaim::id) == nullptr && (keep_others || has_run);
+  };
+  const bool has_failure = std::ranges::any_of(results, has_failed);
+  if ((keep_others || has_failure) && std::filesystem::exists(path)) {
+    const std::vector<BlessedClaim> before = read_reference(path);
+    std::ranges::copy_if(before, std::back_inserter(blessed), is_kept);
   }
   std::ranges::sort(blessed, [](const auto& a, const auto& b) { return precedes(a.id, b.id); });
   nlohmann::ordered_json document = {{"schema", schema_version},
                                      {"claims", nlohmann::ordered_json::array()}};
   for (const BlessedClaim& claim : blessed) document["claims"].push_back(to_json(claim));
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-  io::write_file(path, document.dump(2) + "\n");
+  io::write_file(path, io::json_text(document, 2) + "\n");
 }
 
 std::vector<Change> compare(std::span<const BlessedClaim> reference,
                             std::span<const ClaimResult> results, bool ignore_missing) {
   std::vector<Change> changes;
-  const std::vector<BlessedClaim> run = bless_all(results);
-  for (const BlessedClaim& now : run) {
+  for (const BlessedClaim& now : bless_all(results)) {
     const BlessedClaim* before = find(reference, now.id, &BlessedClaim::id);
     if (before == nullptr) {
       changes.push_back({now.id, "claim", "no such claim", now.verdict});
@@ -125,8 +138,11 @@ std::vector<Change> compare(std::span<const BlessedClaim> reference,
     }
     compare_values(*before, now, changes);
   }
+  const auto was_run = [&](const std::string& id) {
+    return std::ranges::any_of(results, [&](const auto& result) { return result.claim.id == id; });
+  };
   for (const BlessedClaim& before : reference) {
-    if (!ignore_missing && find(run, before.id, &BlessedClaim::id) == nullptr) {
+    if (!ignore_missing && !was_run(before.id)) {
       changes.push_back({before.id, "claim", before.verdict, "no such claim"});
     }
   }

@@ -28,17 +28,19 @@ struct Change {
   bool operator==(const Change&) const = default;
 };
 
-/// The reference file's claims; none if there is no such file. Throws std::invalid_argument naming
-/// the file if it is not of the form that write_reference writes, or of another schema version.
+/// The reference file's claims. Throws std::invalid_argument naming the file, and the place in it, if
+/// it cannot be read, is not of the form that write_reference writes, or of another schema version.
 std::vector<BlessedClaim> read_reference(const std::filesystem::path& path);
 
-/// Blesses the results. With `keep_others`, claims that were not run keep their entries.
+/// Blesses the results. A claim whose computation failed keeps the entry that it had, if any, and with
+/// `keep_others` so do the claims that were not run. Throws as read_reference does where there is a
+/// file whose entries are to be kept, and as io::write_file does.
 void write_reference(const std::filesystem::path& path, std::span<const ClaimResult> results,
                      bool keep_others);
 
 /// The changes in the order of the report: verdicts, and values that do not agree (claim_value.hpp),
-/// are missing or are additional. With `ignore_missing`, a blessed claim that was not run is no
-/// change.
+/// are missing or are additional. A claim whose computation failed is not compared; with
+/// `ignore_missing`, a blessed claim that was not run is no change.
 std::vector<Change> compare(std::span<const BlessedClaim> reference,
                             std::span<const ClaimResult> results, bool ignore_missing);
 

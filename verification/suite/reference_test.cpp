@@ -107,11 +107,29 @@ TEST_F(Reference, APartialRunMissesNothingAndBlessesOnlyItself) {
   EXPECT_EQ(read_reference(file).size(), 1u);
 }
 
-TEST_F(Reference, NoFileIsAnEmptyReferenceAndAWrongOneIsRefusedByName) {
-  EXPECT_TRUE(read_reference(directory / "none.json").empty());
-  for (const char* text :
-       {"", "[]", "{\"schema\": 2, \"claims\": [{\"id\": 3}]}", "\x7f\x45\x4c\x46",
-        "{\"schema\": 2, \"claims\": [{\"id\": \"x\", \"verdict\": \"holds\"}]}"}) {
+TEST_F(Reference, WhatFailedIsNeitherComparedNorBlessed) {
+  write_reference(file, blessed, false);
+  ClaimResult failed = result("sparse", ClaimVerdict::undecided, {});
+  failed.outcome.failure = "no root in the box";
+  const std::vector<ClaimResult> run = {blessed[0], failed};
+  EXPECT_TRUE(compare(read_reference(file), run, false).empty());
+  write_reference(file, run, false);
+  EXPECT_EQ(read_reference(file)[1], (BlessedClaim{"sparse", "holds", {entries, share}}));
+  std::filesystem::remove(file);
+  write_reference(file, run, false);
+  EXPECT_EQ(read_reference(file).size(), 1u);
+}
+
+TEST_F(Reference, AMissingOrWrongFileIsRefusedByName) {
+  EXPECT_THROW(read_reference(directory / "none.json"), std::invalid_argument);
+  const std::string value =
+      R"({"name": "n", "number": null, "unit": "", "decimals": 1, "tolerance": 0})";
+  const std::string claim = R"({"schema": 2, "claims": [{"id": "x", "verdict": "holds")";
+  for (const std::string& text :
+       {std::string(), std::string("[]"), std::string("\x7f\x45\x4c\x46"), claim + "}]}",
+        std::string(R"({"schema": 2, "claims": [{"id": 3}]})"),
+        std::string(R"({"schema": 2, "claims": [{"id": "x", "verdict": "so", "values": []}]})"),
+        claim + R"(, "values": [)" + value + "]}]}"}) {
     io::write_file(file, text);
     try {
       read_reference(file);

@@ -21,6 +21,7 @@ Outcome failed(const std::string& reason) {
   outcome.verdict = ClaimVerdict::undecided;
   outcome.finding = {"none: the computation failed", {}};
   outcome.summary = "The computation failed: " + reason;
+  outcome.failure = reason;
   return outcome;
 }
 

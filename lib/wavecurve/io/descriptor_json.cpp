@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_values.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/transform/bands.hpp"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_place.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 
 namespace wavecurve::io {

@@ -1,5 +1,6 @@
 #include "wavecurve/motion/animation.hpp"
 
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -76,8 +77,11 @@ TEST(CheckAnimation, WantsAViewBoxAndADuration) {
   animation.view_box.width = 0;
   EXPECT_THROW(check_animation(animation), std::invalid_argument);
   animation = triangle();
-  animation.duration = 0;
-  EXPECT_THROW(check_animation(animation), std::invalid_argument);
+  // A rate of frames of the second would be infinite.
+  for (const double duration : {0.0, 1e-320, -1.0, std::nan(""), 1e300}) {
+    animation.duration = duration;
+    EXPECT_THROW(check_animation(animation), std::invalid_argument) << duration;
+  }
 }
 
 }  // namespace

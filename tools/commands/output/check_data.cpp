@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/io/files/detail/csv.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 
 #include "tools/commands/output/check_sentences.hpp"
 #include "verification/tables/table_columns.hpp"
@@ -97,7 +98,7 @@ std::string check_as_json(const CheckedTable& table) {
     result["counts"][std::string(to_string(verdict))] = count;
   }
   // A title or a name may hold bytes that are no UTF-8.
-  return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(result, 2) + "\n";
 }
 
 std::string check_as_csv(const CheckedTable& table) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 #include "tools/commands/output/check_sentences.hpp"
 
 namespace wavecurve::tools {
@@ -27,20 +29,20 @@ std::size_t columns(std::string_view text) {
 std::vector<std::string> head_cells(const CheckedTable& table) {
   std::vector<std::string> cells{"filter",    "quantity", "index",   "printed",
                                  "certified", "ulps",     "verdict", "detail"};
-  cells.insert(cells.end(), table.extra_columns.begin(), table.extra_columns.end());
+  for (const std::string& name : table.extra_columns) cells.push_back(printable(name));
   return cells;
 }
 
 std::vector<std::string> row_cells(const CheckedRow& row) {
-  std::vector<std::string> cells{row.entry.filter,
+  std::vector<std::string> cells{printable(row.entry.filter),
                                  to_string(row.entry.quantity),
                                  row.entry.index.text(),
-                                 row.entry.printed,
+                                 printable(row.entry.printed),
                                  row.certified,
                                  ulps_text(row.ulps, 3),
                                  std::string(to_string(row.verdict)),
-                                 row.detail};
-  cells.insert(cells.end(), row.entry.extra.begin(), row.entry.extra.end());
+                                 printable(row.detail)};
+  for (const std::string& field : row.entry.extra) cells.push_back(printable(field));
   return cells;
 }
 
@@ -119,7 +121,7 @@ class TextTable {
 
 std::string list_of(const std::vector<std::string>& sentences) {
   std::string result;
-  for (const std::string& sentence : sentences) result += "  " + sentence + "\n";
+  for (const std::string& sentence : sentences) result += "  " + printable(sentence) + "\n";
   return result;
 }
 
@@ -127,7 +129,7 @@ std::string list_of(const std::vector<std::string>& sentences) {
 
 std::string check_as_text(const CheckedTable& table, const CheckTextOptions& options) {
   const TextTable text(table, options);
-  std::string result = table.title.empty() ? "" : table.title + "\n\n";
+  std::string result = table.title.empty() ? "" : printable(table.title) + "\n\n";
   result += text.head(table);
   for (const CheckedRow& row : table.rows) result += text.row(row);
   const std::string conventions = list_of(convention_sentences(table));

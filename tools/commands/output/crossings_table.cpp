@@ -5,13 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 namespace wavecurve::tools {
 
 namespace {
 
 std::size_t longest_id(const motion::Morph& morph) {
   std::size_t longest = std::string("layer").size();
-  for (const motion::MorphLayer& layer : morph.layers) longest = std::max(longest, layer.id.size());
+  for (const motion::MorphLayer& layer : morph.layers) {
+    longest = std::max(longest, printable(layer.id).size());
+  }
   return longest;
 }
 
@@ -33,7 +37,7 @@ std::string crossings_table(const motion::Morph& morph, const std::vector<double
   for (const motion::MorphLayer& layer : morph.layers) {
     const std::vector<Eigen::Index> counts = motion::crossings(morph, layer, taus);
     const Eigen::Index sum = std::accumulate(counts.begin(), counts.end(), Eigen::Index{0});
-    text += fmt::format("{:<{}}  {:>5}  {:>9} {}\n", layer.id, width, layer.scale, sum,
+    text += fmt::format("{:<{}}  {:>5}  {:>9} {}\n", printable(layer.id), width, layer.scale, sum,
                         frames_text(counts));
     all += sum;
   }
@@ -45,7 +49,7 @@ std::string choices_table(const motion::ChosenMorph& chosen) {
   std::string text =
       fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", "layer", width, "scale", "crossings", "start");
   for (const motion::ScaleChoice& choice : chosen.choices) {
-    text += fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", choice.layer, width, choice.scale,
+    text += fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", printable(choice.layer), width, choice.scale,
                         choice.crossings, choice.alternative == 0 ? "as asked" : "rotation aside");
   }
   if (chosen.morph.detail == motion::Detail::stage) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/motion/gait/model/limb_path.hpp"
 #include "wavecurve/motion/gait/walk/ground_contact.hpp"
 
@@ -19,7 +20,7 @@ std::string heading(const gait::GaitParameters& parameters) {
                      parameters.period, parameters.stride, parameters.facing > 0 ? "right" : "left",
                      is_whole ? fmt::format("all {} points", parameters.samples)
                               : fmt::format("{} control points", parameters.scale),
-                     parameters.filter);
+                     printable(parameters.filter));
 }
 
 std::string footfalls(const gait::GaitParameters& parameters) {

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 namespace wavecurve::tools {
 
 namespace {
@@ -74,9 +76,9 @@ std::optional<DecimalShape> shape_of_column(const MarkupTable& table, std::size_
 std::string markdown_text(std::string_view text) {
   constexpr std::string_view active = "\\`*_[]<>|~&$#";
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (active.find(c) != std::string_view::npos) result += '\\';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    result += c;
   }
   return result;
 }
@@ -125,7 +127,9 @@ constexpr std::pair<std::string_view, std::string_view> latex_signs[] = {
     {"½", "$\\frac{1}{2}$"},
 };
 
-std::string latex_text(std::string_view text) {
+std::string latex_text(std::string_view original) {
+  const std::string shown = printable(original);
+  std::string_view text = shown;
   std::string result;
   while (!text.empty()) {
     const auto sign = std::find_if(std::begin(latex_signs), std::end(latex_signs),
@@ -136,7 +140,7 @@ std::string latex_text(std::string_view text) {
       text.remove_prefix(sign->first == "--" ? 1 : sign->first.size());
       continue;
     }
-    result += static_cast<unsigned char>(text.front()) < ' ' ? ' ' : text.front();
+    result += text.front();
     text.remove_prefix(1);
   }
   return result;

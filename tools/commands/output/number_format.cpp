@@ -9,6 +9,8 @@
 
 #include "wavecurve/certified/rational.hpp"
 
+#include "tools/commands/input/number_option.hpp"
+
 namespace wavecurve::tools {
 
 namespace {
@@ -72,7 +74,7 @@ std::string comment_text(std::string_view text) {
 
 void add_digits_option(CLI::App& command, int& digits) {
   command.add_option("--digits", digits, "Significant digits")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number_from(1, 1000))
       ->capture_default_str();
 }
 

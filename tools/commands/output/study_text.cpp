@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
 
 namespace wavecurve::tools {
@@ -20,7 +21,7 @@ std::string interval_text(const PowerFit& fit) {
 
 std::string point_text(const StudyPoint& point) {
   std::string text = fmt::format("{:<24}  {:>9}  ", point.solver, tolerance_text(point.tolerance));
-  if (!point.errors) return text + "failed: " + point.failure + "\n";
+  if (!point.errors) return text + "failed: " + printable(point.failure) + "\n";
   const StudyErrors& e = *point.errors;
   for (const double error : {e.displacement_l2_max, e.displacement_l2_final, e.maximum_norm_max,
                              e.velocity_l2_max, e.energy_norm_max, e.energy_drift}) {
@@ -33,7 +34,7 @@ std::string point_text(const StudyPoint& point) {
 std::string setting_text(const StudySetting& setting, const std::vector<StudyPoint>& points,
                          const StudySummary& summary) {
   std::string text =
-      name_of(setting) +
+      printable(name_of(setting)) +
       fmt::format(
           "\n{:<24}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}\n",
           "solver", "tolerance", "L2 max", "L2 final", "maximum", "velocity", "energy", "drift",

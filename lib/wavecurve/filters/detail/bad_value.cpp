@@ -1,10 +1,12 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "wavecurve/filters/detail/characters.hpp"
 
 namespace wavecurve {
 
@@ -12,10 +14,7 @@ std::string value_text(double value) { return fmt::format("{}", value); }
 
 std::string value_text(std::string_view value) {
   constexpr std::size_t shown = 60;
-  std::string text(value.substr(0, shown));
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
-  return "'" + text + (value.size() > shown ? "...'" : "'");
+  return fmt::format("'{}'", printable(value, shown));
 }
 
 void refuse_below(std::string_view name, double value, double least) {

@@ -14,7 +14,7 @@ namespace wavecurve {
 // that are known.
 
 /// A value for a message: a number as short as it reads back; a text in quotes, of a long one the
-/// first 60 characters, and a question mark for each that would break the line.
+/// first 60 characters, and U+FFFD for each that does not show (characters.hpp).
 std::string value_text(double value);
 std::string value_text(std::string_view value);
 template <std::integral Integer>

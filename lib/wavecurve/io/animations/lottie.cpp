@@ -10,7 +10,7 @@
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
-#include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_values.hpp"
 
 namespace wavecurve::io {
 
@@ -172,7 +172,7 @@ std::string lottie(const motion::Animation& animation, const OutputOptions& opti
   return fmt::format(
       "{{\"v\":\"5.7.0\",\"fr\":{},\"ip\":0,\"op\":{},\"w\":{:.0f},\"h\":{:.0f},\"assets\":[],\n"
       "\"layers\":[{}]}}\n",
-      Decimals(6).text(target.rate), options.frames, std::ceil(width - 1e-9),
+      fmt::format("{}", target.rate), options.frames, std::ceil(width - 1e-9),
       std::ceil(height - 1e-9), layers);
 }
 

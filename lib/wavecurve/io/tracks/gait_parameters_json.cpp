@@ -10,7 +10,7 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_values.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 

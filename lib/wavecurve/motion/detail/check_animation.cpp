@@ -75,7 +75,9 @@ void check_animation(const Animation& animation) {
   demand(std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) &&
              std::isfinite(box.height) && box.width > 0 && box.height > 0,
          fmt::format("view box {} {} {} {} has no area", box.x, box.y, box.width, box.height));
-  check_above_zero("duration", animation.duration);
+  // Within these bounds a rate of frames is finite in every format.
+  demand(animation.duration >= 1e-6 && animation.duration <= 1e9,
+         must_be("duration", animation.duration, "from 1e-6 to 1e9 seconds"));
   for (const AnimatedLayer& layer : animation.layers) {
     const std::string name = "layer '" + layer.id + "'";
     check_times(name, "outline", layer.outline, animation.duration);

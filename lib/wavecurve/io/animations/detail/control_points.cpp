@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/fit_cubics.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
 
@@ -32,6 +33,7 @@ void append_point(std::string& text, const Contour& contour, Eigen::Index row,
 
 AnimatedControlPoints control_points(const motion::Animation& animation, double tolerance) {
   motion::check_animation(animation);
+  check_at_least("tolerance", tolerance, 0);
   AnimatedControlPoints result{animation, tolerance > 0};
   if (!result.cubic) return result;
   for (motion::AnimatedLayer& layer : result.animation.layers) fit(layer, tolerance);

@@ -1,7 +1,9 @@
 #include "wavecurve/io/animations/detail/html_player.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +11,7 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/detail/player_page.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
 
@@ -98,13 +101,23 @@ void replace_all(std::string& text, std::string_view mark, std::string_view by) 
   }
 }
 
+/// The page with each mark replaced by its text, in which no mark is looked for.
+std::string filled(std::string_view page,
+                   const std::vector<std::pair<std::string_view, std::string>>& texts) {
+  std::string result;
+  while (!page.empty()) {
+    const auto starts = [&](const auto& mark) { return page.starts_with(mark.first); };
+    const auto found = std::ranges::find_if(texts, starts);
+    result += found == texts.end() ? page.substr(0, 1) : std::string_view(found->second);
+    page.remove_prefix(found == texts.end() ? 1 : found->first.size());
+  }
+  return result;
+}
+
 std::string page(const Json& data, const OutputOptions& options) {
-  std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json = json_text(data);
   replace_all(json, "<", "\\u003c");  // no text of a drawing may end the element
-  std::string html = player_page;
-  replace_all(html, "{{title}}", xml_escaped(options.title));
-  replace_all(html, "{{data}}", json);
-  return html;
+  return filled(player_page, {{"{{title}}", xml_escaped(options.title)}, {"{{data}}", json}});
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "wavecurve/io/files/detail/csv.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
+#include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
 
 namespace wavecurve::io {
@@ -32,6 +34,24 @@ std::string take_quoted(std::string_view& rest) {
   return field;
 }
 
+/// Whether a spreadsheet might take the text for a formula, or has been kept from that by apostrophes.
+bool is_like_formula(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  if (text.empty() || std::string_view("=+-@").find(text.front()) == std::string_view::npos) {
+    return false;
+  }
+  double number = 0;
+  const char* const first = text.data() + (text.front() == '+' ? 1 : 0);
+  const char* const last = text.data() + text.size();
+  return std::from_chars(first, last, number).ptr != last;
+}
+
+/// The text as it was before csv_field() kept it from being a formula.
+std::string unmarked(std::string text) {
+  if (text.starts_with('\'') && is_like_formula(text)) text.erase(0, 1);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> csv_fields(std::string_view line, char separator) {
@@ -39,14 +59,14 @@ std::vector<std::string> csv_fields(std::string_view line, char separator) {
   for (;;) {
     skip_blanks(line, separator);
     if (line.starts_with('"')) {
-      fields.push_back(take_quoted(line));
+      fields.push_back(unmarked(take_quoted(line)));
       skip_blanks(line, separator);
       if (!line.empty() && line.front() != separator) {
         throw std::invalid_argument("text follows a closing quote");
       }
     } else {
       const std::size_t end = std::min(line.find(separator), line.size());
-      fields.emplace_back(trimmed(line.substr(0, end)));
+      fields.push_back(unmarked(std::string(trimmed(line.substr(0, end)))));
       line.remove_prefix(end);
     }
     if (line.empty()) return fields;
@@ -55,13 +75,16 @@ std::vector<std::string> csv_fields(std::string_view line, char separator) {
 }
 
 std::string csv_field(std::string_view text) {
-  const bool has_edge = !text.empty() && (trimmed(text).size() < text.size());
-  if (!has_edge && text.find_first_of(",;\t\"\r\n") == std::string_view::npos) {
-    return std::string(text);
+  std::string field = is_like_formula(text) ? "'" : "";
+  const bool has_edge = trimmed(text).size() < text.size();
+  const bool is_quoted = has_edge || text.find_first_of(",;\t\"\r\n") != std::string_view::npos;
+  while (!text.empty()) {
+    const Character character = take_character(text);
+    const bool breaks = character.code == '\t' || character.code == '\n' || character.code == '\r';
+    if (character.code == '"') field += '"';
+    field += character.shows() || breaks ? character.bytes : replacement_character;
   }
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
+  return is_quoted ? "\"" + field + "\"" : field;
 }
 
 }  // namespace wavecurve::io

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -36,11 +38,7 @@ std::string lower_case(std::string_view text) {
 
 std::string shown(std::string_view text) {
   constexpr std::size_t most = 40;
-  std::string result(text.substr(0, most));
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return text.size() > most ? result + "..." : result;
+  return printable(text, most);
 }
 
 }  // namespace wavecurve::io

@@ -1,12 +1,35 @@
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 
+#include "wavecurve/filters/detail/characters.hpp"
+
 namespace wavecurve::io {
 
 namespace {
 
-bool is_forbidden(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+/// What XML has for a character; itself, where that may stand.
+std::string_view escaped_form(const Character& character) {
+  switch (character.code) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    case '\t':
+    case '\n':
+      return character.bytes;
+    // Control characters, and the two that are reserved as none.
+    case 0xFFFE:
+    case 0xFFFF:
+      return replacement_character;
+    default:
+      return character.is_valid() && !character.is_control() ? character.bytes
+                                                             : replacement_character;
+  }
 }
 
 }  // namespace
@@ -14,27 +37,7 @@ bool is_forbidden(char c) {
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        is_forbidden(c) ? escaped += "\xEF\xBF\xBD" : escaped += c;
-    }
-  }
+  while (!text.empty()) escaped += escaped_form(take_character(text));
   return escaped;
 }
 

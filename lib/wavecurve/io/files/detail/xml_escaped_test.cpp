@@ -10,7 +10,8 @@ TEST(XmlEscaped, TextStandsBetweenTagsAndInBothKindsOfQuotes) {
 }
 
 TEST(XmlEscaped, OnlyWhatXmlForbidsIsReplaced) {
-  EXPECT_EQ(xml_escaped("a\x01\x7f\t\n\u03bc"), "a\xEF\xBF\xBD\xEF\xBF\xBD\t\n\u03bc");
+  EXPECT_EQ(xml_escaped("a\x01\x7f\t\n\u03bc"), "a\uFFFD\uFFFD\t\n\u03bc");
+  EXPECT_EQ(xml_escaped("\xff \xEF\xBF\xBF \xC2\x9B \r"), "\uFFFD \uFFFD \uFFFD \uFFFD");
 }
 
 }  // namespace

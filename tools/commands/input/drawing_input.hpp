@@ -14,14 +14,14 @@ namespace wavecurve::tools {
 /// The drawing of a file; what of it is not supported is said on the error stream.
 Drawing drawing_of(const std::string& path);
 
-/// A whole number; none for a text that is not one.
-std::optional<Eigen::Index> parsed_number(const std::string& text);
-
 /// The value of `--scale`: a number of control points, or none for the text full. Throws
 /// std::invalid_argument for another text.
 std::optional<Eigen::Index> parsed_scale(const std::string& text);
 
 /// Throws std::invalid_argument unless the file of a sheet is an .svg.
 void check_sheet(bool is_sheet, const std::string& output);
+
+/// Throws std::invalid_argument for a tolerance of fitted curves where the file holds no curves.
+void check_tolerance(double tolerance, const std::string& output);
 
 }  // namespace wavecurve::tools

@@ -1,13 +1,21 @@
-#include "tools/commands/motion_options.hpp"
+#include "tools/commands/input/motion_options.hpp"
 
-#include <charconv>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 
+#include "tools/commands/input/number_option.hpp"
+
 namespace wavecurve::tools {
+
+namespace {
+
+/// Squares and products of a few such numbers are finite.
+constexpr double largest = 1e12;
+
+}  // namespace
 
 void MotionOptions::add_to(CLI::App* command) {
   command
@@ -19,18 +27,23 @@ void MotionOptions::add_to(CLI::App* command) {
   const dynamics::Material& lively = motion::lively_material;
   damping_ = {lively.mass_damping, lively.stiffness_damping};
   force_ = {0, 0};
+  const CLI::Validator of_material = number_from(0, largest);
   of_physical_ = {
-      command->add_option("--stiffness", material.stiffness, "Of physical motion, e_0"),
-      command->add_option("--bending", material.bending, "Stiffness against bending"),
-      command->add_option("--density", material.density, "Mass, rho"),
+      command->add_option("--stiffness", material.stiffness, "Of physical motion, e_0")
+          ->check(of_material),
+      command->add_option("--bending", material.bending, "Stiffness against bending")
+          ->check(of_material),
+      command->add_option("--density", material.density, "Mass, rho")->check(of_material),
       command
           ->add_option("--damping", damping_,
                        "s1,s2 of mass and stiffness, then of neither: density 0 needs that")
           ->delimiter(',')
-          ->expected(2, 3),
+          ->expected(2, 3)
+          ->check(of_material),
       command->add_option("--force", force_, "Gravity gx,gy: the drawing is thrown, and arrives")
           ->delimiter(',')
-          ->expected(2),
+          ->expected(2)
+          ->check(number_from(-largest, largest)),
       command->add_option("--until", until_,
                           "Length of the motion, in units in which the slowest mode of e_0 = rho "
                           "swings once; or settled"),
@@ -57,13 +70,11 @@ motion::PhysicalOptions MotionOptions::physical(int frames) const {
   if (damping_.size() > 2) options.material.damping_density = damping_[2];
   options.force << force_[0], force_[1];
   if (until_ == "settled") return options;
-  double until = 0;
-  const auto [end, error] = std::from_chars(until_.data(), until_.data() + until_.size(), until);
-  if (error != std::errc() || end != until_.data() + until_.size()) {
+  options.until = parsed_number(until_);
+  if (!options.until) {
     throw std::invalid_argument(
         must_be("--until", until_, "a number of units of time, or settled"));
   }
-  options.until = until;
   return options;
 }
 

@@ -1,4 +1,4 @@
-#include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_values.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "wavecurve/io/files/detail/json_text.hpp"
 
 namespace wavecurve::io {
 
@@ -19,11 +21,6 @@ double number_in(const json& value, const std::string& what, double largest) {
                                             value.dump(), largest <= 1 ? " up to 1" : ""));
   }
   return result;
-}
-
-bool exceeds_signed(const json& value) {
-  return value.is_number_unsigned() &&
-         value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
 }
 
 long whole_number(const json& value, const std::string& what, long least, long most) {
@@ -44,8 +41,6 @@ void check_kind(const json& document, const std::string& format, int version) {
   }
 }
 
-std::string quoted(const std::string& text) {
-  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-}
+std::string quoted(const std::string& text) { return json_text(json(text)); }
 
 }  // namespace wavecurve::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -17,7 +18,11 @@ double number_in(const nlohmann::json& value, const std::string& what,
 
 /// Whether it is an integer above the largest of 64 bits with a sign: the JSON library takes it for a
 /// negative one.
-bool exceeds_signed(const nlohmann::json& value);
+template <class Json>
+bool exceeds_signed(const Json& value) {
+  return value.is_number_unsigned() &&
+         value.template get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
+}
 
 /// An integer from `least` to `most`.
 long whole_number(const nlohmann::json& value, const std::string& what, long least, long most);

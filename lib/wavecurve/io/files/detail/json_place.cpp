@@ -1,6 +1,7 @@
-#include "wavecurve/io/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_place.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>
@@ -11,11 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_values.hpp"
 
 namespace wavecurve::io {
-
-using nlohmann::json;
 
 namespace {
 
@@ -45,21 +44,25 @@ std::string guess(std::string_view name, const std::vector<std::string>& known) 
 }
 
 /// A value for a message, on one line and short.
-std::string brief(const json& value) {
+template <class Json>
+std::string brief(const Json& value) {
   if (value.is_array()) return "a list";
   if (value.is_object()) return "an object";
-  if (value.is_string()) return value_text(std::string_view(value.get_ref<const std::string&>()));
+  if (value.is_string())
+    return value_text(std::string_view(value.template get_ref<const std::string&>()));
   return value.dump();
 }
 
 }  // namespace
 
-void JsonPlace::refuse(const std::string& bound) const {
+template <class Json>
+void BasicJsonPlace<Json>::refuse(const std::string& bound) const {
   throw std::invalid_argument(fmt::format(
       "{} is {}, but must be {}", path_.empty() ? "the document" : path_, brief(*value_), bound));
 }
 
-void JsonPlace::check_keys(const std::vector<std::string>& known) const {
+template <class Json>
+void BasicJsonPlace<Json>::check_keys(const std::vector<std::string>& known) const {
   if (!value_->is_object()) refuse("an object");
   for (const auto& [key, value] : value_->items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
@@ -68,39 +71,64 @@ void JsonPlace::check_keys(const std::vector<std::string>& known) const {
   }
 }
 
-std::optional<JsonPlace> JsonPlace::find(const std::string& key) const {
+template <class Json>
+std::optional<BasicJsonPlace<Json>> BasicJsonPlace<Json>::find(const std::string& key) const {
   const auto found = value_->find(key);
   if (found == value_->end()) return std::nullopt;
-  return JsonPlace(*found, path_.empty() ? key : path_ + "." + key);
+  return BasicJsonPlace(*found, path_.empty() ? key : path_ + "." + key);
 }
 
-JsonPlace JsonPlace::at(const std::string& key) const {
+template <class Json>
+BasicJsonPlace<Json> BasicJsonPlace<Json>::at(const std::string& key) const {
   if (auto found = find(key)) return *found;
   throw std::invalid_argument((path_.empty() ? "the document" : path_) + " has no key '" + key +
                               "'");
 }
 
-std::vector<JsonPlace> JsonPlace::elements() const {
+template <class Json>
+std::vector<BasicJsonPlace<Json>> BasicJsonPlace<Json>::elements() const {
   if (!value_->is_array()) refuse("a list");
-  std::vector<JsonPlace> elements;
+  std::vector<BasicJsonPlace> elements;
   for (std::size_t i = 0; i < value_->size(); ++i) {
-    elements.push_back(JsonPlace((*value_)[i], fmt::format("{}[{}]", path_, i)));
+    elements.push_back(BasicJsonPlace((*value_)[i], fmt::format("{}[{}]", path_, i)));
   }
   return elements;
 }
 
-std::string JsonPlace::text() const {
-  if (!value_->is_string()) refuse("a text");
-  return value_->get<std::string>();
+template <class Json>
+std::vector<std::pair<std::string, BasicJsonPlace<Json>>> BasicJsonPlace<Json>::items() const {
+  if (!value_->is_object()) refuse("an object");
+  std::vector<std::pair<std::string, BasicJsonPlace>> items;
+  for (const auto& [key, value] : value_->items()) {
+    items.emplace_back(key, BasicJsonPlace(value, path_.empty() ? key : path_ + "." + key));
+  }
+  return items;
 }
 
-int JsonPlace::whole_number(int least, int most) const {
+template <class Json>
+std::string BasicJsonPlace<Json>::text() const {
+  if (!value_->is_string()) refuse("a text");
+  return value_->template get<std::string>();
+}
+
+template <class Json>
+int BasicJsonPlace<Json>::whole_number(int least, int most) const {
   const bool is_small = value_->is_number_integer() && !exceeds_signed(*value_);
-  const auto number = is_small ? value_->get<std::int64_t>() : 0;
+  const auto number = is_small ? value_->template get<std::int64_t>() : 0;
   if (!is_small || number < least || number > most) {
     refuse(fmt::format("a whole number from {} to {}", least, most));
   }
   return static_cast<int>(number);
 }
+
+template <class Json>
+double BasicJsonPlace<Json>::number() const {
+  const double number = value_->is_number() ? value_->template get<double>() : std::nan("");
+  if (!std::isfinite(number)) refuse("a finite number");
+  return number;
+}
+
+template class BasicJsonPlace<nlohmann::json>;
+template class BasicJsonPlace<nlohmann::ordered_json>;
 
 }  // namespace wavecurve::io

@@ -1,7 +1,7 @@
-#include "tools/commands/drawing_input.hpp"
+#include "tools/commands/input/drawing_input.hpp"
 
-#include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -10,33 +10,36 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
+#include "tools/commands/input/number_option.hpp"
+#include "tools/commands/terminal.hpp"
+
 namespace wavecurve::tools {
 
 Drawing drawing_of(const std::string& path) {
   io::DrawingFile file = io::read_drawing(path);
   for (const std::string& warning : file.warnings) {
-    fmt::print(stderr, "wavecurve: {}: {}\n", path, warning);
+    print_message(path + ": " + warning);
   }
   return std::move(file.drawing);
 }
 
-std::optional<Eigen::Index> parsed_number(const std::string& text) {
-  Eigen::Index number = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc() || end != last) return std::nullopt;
-  return number;
-}
-
 std::optional<Eigen::Index> parsed_scale(const std::string& text) {
   if (text == "full") return std::nullopt;
-  if (const auto number = parsed_number(text)) return number;
+  if (const auto number = parsed_whole_number(text)) return number;
   throw std::invalid_argument(must_be("--scale", text, "a number of control points, or full"));
 }
 
 void check_sheet(bool is_sheet, const std::string& output) {
   if (!is_sheet || output.ends_with(".svg")) return;
   throw std::invalid_argument(must_be("the file of a sheet", output, "an .svg"));
+}
+
+void check_tolerance(double tolerance, const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  const bool holds_curves = ending == ".svg" || ending == ".json" || ending == ".html";
+  if (tolerance == 0 || holds_curves) return;
+  throw std::invalid_argument(fmt::format(
+      "--tolerance is for .svg, .json and .html, which hold curves, not for {}", ending));
 }
 
 }  // namespace wavecurve::tools

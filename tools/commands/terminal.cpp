@@ -1,0 +1,34 @@
+#include "tools/commands/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "wavecurve/filters/detail/characters.hpp"
+
+namespace wavecurve::tools {
+
+void print_text(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += printable(text.substr(0, end));
+    if (end < text.size()) lines += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  std::fwrite(lines.data(), 1, lines.size(), stdout);
+}
+
+void print_message(std::string_view message) {
+  constexpr std::size_t longest = 2000, beginning = 1000, end = 500;
+  std::string line(message);
+  if (line.size() > longest) {
+    line = line.substr(0, beginning) + " ... " + line.substr(line.size() - end);
+  }
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  line = "wavecurve: " + printable(line) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+}  // namespace wavecurve::tools
