@@ -79,6 +79,24 @@ def read_includes(root):
     return includes, problems
 
 
+def unchecked_json(root):
+    """Constant JSON documents that are read by the operator [], which is undefined for a key that is not there."""
+    problems = []
+    declared = re.compile(r"const\s+(?:nlohmann::)?(?:ordered_json|json|Json)\s*&?\s+(\w+)\s*[,);=:{(]")
+    for folder in ("lib", "verification", "reports", "benchmarks", "tools"):
+        for path in sorted((root / folder).rglob("*.cpp")):
+            if path.name.endswith("_test.cpp") or "node_modules" in path.parts:
+                continue
+            text = path.read_text()
+            for match in declared.finditer(text):
+                name = match.group(1)
+                scope = text[match.end():].split("\n}\n")[0]  # to the end of the function
+                if re.search(rf"(?<![\w.]){name}\[", scope):
+                    fail(problems, f"{path.relative_to(root).as_posix()} reads the constant JSON document {name} "
+                                   "by [], not through JsonPlace or at()")
+    return problems
+
+
 def circle_in(graph):
     """A list of nodes that leads back to its first, or None."""
     state = {}
@@ -130,6 +148,7 @@ def problems_of(root):
             is_face = source.startswith("lib/wavecurve/") and source.endswith(".hpp")
             if is_face and "/detail/" in target and "/detail/" not in source and "_test." not in source:
                 fail(problems, f"{source} includes {target}: a public header, and detail is not installed")
+    problems += unchecked_json(root)
     circle = circle_in({s: set(t) for s, t in includes.items()})
     if circle:
         fail(problems, "files that include each other in a circle: " + " -> ".join(circle))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/io/files/detail/altered_json_test.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "benchmarks/tracking/compare.hpp"
@@ -18,24 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The latest record of the project, with two of its benchmarks.
+/// The latest record of the project, with two of its benchmarks, kernels and accuracies.
 Json real_record() {
   Json record =
       read_history(fs::path(WAVECURVE_SOURCE_DIR) / "benchmarks" / "history").records.back();
-  Json& benchmarks = record.at("benchmarks");
-  benchmarks.erase(benchmarks.begin() + 2, benchmarks.end());
-  return record;
-}
-
-std::vector<Json::json_pointer> places_of(const Json& json,
-                                          const Json::json_pointer& here = Json::json_pointer()) {
-  std::vector<Json::json_pointer> places{here};
-  if (!json.is_structured()) return places;
-  for (const auto& [key, value] : json.items()) {
-    const auto below = places_of(value, json.is_array() ? here / std::stoul(key) : here / key);
-    places.insert(places.end(), below.begin(), below.end());
+  for (const char* key : {"benchmarks", "kernels", "accuracy"}) {
+    Json& list = record.at(key);
+    while (list.size() > 2) list.erase(std::prev(list.end()));
   }
-  return places;
+  record.erase("limits");
+  return record;
 }
 
 class CheckRecordTest : public testing::Test {
@@ -70,19 +64,8 @@ TEST_F(CheckRecordTest, TheProjectsRecordsAreSound) {
 }
 
 TEST_F(CheckRecordTest, ARecordWithAnyPlaceAlteredIsReadSafelyOrRefusedInOneSentence) {
-  const std::vector<Json> others{nullptr, -1, 1e300, "x", true, Json::array(), Json::object()};
-  int refused = 0;
-  for (const Json::json_pointer& place : places_of(real_)) {
-    for (const Json& other : others) {
-      Json altered = real_;
-      altered[place] = other;
-      const std::string message = refusal(altered);
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-      EXPECT_EQ(message.find("json.exception"), std::string::npos) << message;
-      refused += message.empty() ? 0 : 1;
-    }
-  }
-  EXPECT_GT(refused, 100);
+  const auto refusals = [&](const Json& record) { return refusal(record); };
+  EXPECT_GT(io::refused_of(io::altered(real_), refusals), 100);
 }
 
 TEST_F(CheckRecordTest, AMissingKeyIsNamedWithItsPlace) {

@@ -8,16 +8,14 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "wavecurve/io/files/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
-#include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/transform/bands.hpp"
 
 namespace wavecurve::io {
 
 namespace {
-
-using nlohmann::json;
 
 constexpr const char* descriptor_format = "wavecurve-descriptor";
 constexpr int descriptor_version = 1;
@@ -53,96 +51,72 @@ std::string layer_text(const LayerDescriptor& layer) {
 
 // Reading.
 
-/// Whether the second of two words stands there, not the first.
-bool is_second(const json& object, const char* key, const char* first, const char* second) {
-  const json& value = object.at(key);
-  if (value != first && value != second) {
-    throw std::invalid_argument(
-        fmt::format("{} is {}, but must be \"{}\" or \"{}\"", key, value.dump(), first, second));
-  }
-  return value == second;
+std::optional<Colour> colour_of(const JsonPlace& place) {
+  if (place.is_null()) return std::nullopt;
+  if (!place.value().is_array()) place.refuse("null or [red, green, blue]");
+  const auto parts = place.elements(3);
+  return Colour{parts[0].number(0, 1), parts[1].number(0, 1), parts[2].number(0, 1)};
 }
 
-std::optional<Colour> colour_of(const json& object, const char* key) {
-  const json& value = object.at(key);
-  if (value.is_null()) return std::nullopt;
-  if (!value.is_array() || value.size() != 3) {
-    throw std::invalid_argument(fmt::format("{} must be null or [red, green, blue]", key));
-  }
-  return Colour{number_in(value[0], key, 1), number_in(value[1], key, 1),
-                number_in(value[2], key, 1)};
-}
-
-Paint paint_of(const json& object) {
+Paint paint_of(const JsonPlace& place) {
   Paint paint;
-  paint.fill = colour_of(object, "fill");
-  paint.stroke = colour_of(object, "stroke");
-  paint.fill_opacity = number_in(object.at("fill_opacity"), "fill_opacity", 1);
-  paint.stroke_opacity = number_in(object.at("stroke_opacity"), "stroke_opacity", 1);
-  paint.stroke_width = number_in(object.at("stroke_width"), "stroke_width");
-  const bool evenodd = is_second(object, "fill_rule", "nonzero", "evenodd");
+  paint.fill = colour_of(place.at("fill"));
+  paint.stroke = colour_of(place.at("stroke"));
+  paint.fill_opacity = place.at("fill_opacity").number(0, 1);
+  paint.stroke_opacity = place.at("stroke_opacity").number(0, 1);
+  paint.stroke_width = place.at("stroke_width").number();
+  const bool evenodd = place.at("fill_rule").one_of({"nonzero", "evenodd"}) == "evenodd";
   paint.fill_rule = evenodd ? FillRule::evenodd : FillRule::nonzero;
   return paint;
 }
 
-ContourDescriptor contour_of(const json& object, Eigen::Index samples) {
+ContourDescriptor contour_of(const JsonPlace& place, int samples) {
   ContourDescriptor contour;
-  contour.closed = object.at("closed").get<bool>();
-  contour.length = number_in(object.at("length"), "length");
+  contour.closed = place.at("closed").boolean();
+  contour.length = place.at("length").number();
   contour.coefficients.resize(samples, 2);
   for (int column : {0, 1}) {
-    const char* key = column == 0 ? "x" : "y";
-    const json& values = object.at(key);
-    if (!values.is_array() || static_cast<Eigen::Index>(values.size()) != samples) {
-      throw std::invalid_argument(
-          fmt::format("{} holds {} values, but samples is {}", key, values.size(), samples));
-    }
+    const auto values =
+        place.at(column == 0 ? "x" : "y").elements(static_cast<std::size_t>(samples));
     for (Eigen::Index i = 0; i < samples; ++i) {
-      contour.coefficients(i, column) = number_in(values[static_cast<std::size_t>(i)], key);
+      contour.coefficients(i, column) = values[static_cast<std::size_t>(i)].number();
     }
   }
   return contour;
 }
 
-LayerDescriptor layer_of(const json& object, Eigen::Index samples) try {
-  LayerDescriptor layer{object.at("id").get<std::string>(), paint_of(object.at("paint")), {}};
-  for (const json& contour : object.at("contours")) {
-    layer.contours.push_back(contour_of(contour, samples));
-  }
-  if (layer.contours.empty()) throw std::invalid_argument("there is no contour");
+LayerDescriptor layer_of(const JsonPlace& place, int samples) {
+  LayerDescriptor layer{place.at("id").text(), paint_of(place.at("paint")), {}};
+  const auto contours = place.at("contours").elements();
+  if (contours.empty()) place.at("contours").refuse("a list of at least one contour");
+  for (const JsonPlace& contour : contours) layer.contours.push_back(contour_of(contour, samples));
   return layer;
-} catch (const std::invalid_argument& error) {
-  throw std::invalid_argument(
-      fmt::format("layer {}: {}", object.at("id").get<std::string>(), error.what()));
 }
 
-ViewBox view_box_of(const json& value) {
-  if (!value.is_array() || value.size() != 4) {
-    throw std::invalid_argument("view_box must be [x, y, width, height]");
-  }
-  const auto part = [&](std::size_t i) { return number_in(value[i], "view_box"); };
-  return {part(0), part(1), part(2), part(3)};
+ViewBox view_box_of(const JsonPlace& place) {
+  const auto parts = place.elements(4);
+  return {parts[0].number(), parts[1].number(), parts[2].number(), parts[3].number()};
 }
 
-Descriptor descriptor_of(const json& document) {
-  check_kind(document, descriptor_format, descriptor_version);
+Descriptor descriptor_of(const JsonPlace& place) {
+  check_kind(place, descriptor_format, descriptor_version);
   Descriptor descriptor;
   DescriptorOptions& options = descriptor.options;
-  descriptor.filter = document.at("filter").get<std::string>();
-  options.samples =
-      static_cast<int>(whole_number(document.at("samples"), "samples", 0, most_samples));
-  options.levels = static_cast<int>(whole_number(document.at("levels"), "levels", 0, most_samples));
+  descriptor.filter = place.at("filter").text();
+  options.samples = place.at("samples").whole_number(0, most_samples);
+  options.levels = place.at("levels").whole_number(0, most_samples);
   check_samples(options.samples);
   multiscale_bands(options.samples, options.levels);
-  const bool interpolate = is_second(document, "mode", "samples", "interpolate");
+  const bool interpolate = place.at("mode").one_of({"samples", "interpolate"}) == "interpolate";
   options.mode = interpolate ? SampleMode::interpolate : SampleMode::samples;
-  const bool kept = is_second(document, "corners", "ignored", "kept");
+  const bool kept = place.at("corners").one_of({"ignored", "kept"}) == "kept";
   options.corners = kept ? Corners::kept : Corners::ignored;
-  descriptor.view_box = view_box_of(document.at("view_box"));
-  for (const json& layer : document.at("layers")) {
-    descriptor.layers.push_back(layer_of(layer, options.samples));
+  descriptor.view_box = view_box_of(place.at("view_box"));
+  const auto layers = place.at("layers").elements();
+  if (layers.empty()) place.at("layers").refuse("a list of at least one layer");
+  for (const JsonPlace& layer : layers) {
+    descriptor.layers.push_back(layer_of(layer, static_cast<int>(options.samples)));
   }
-  if (descriptor.layers.empty()) throw std::invalid_argument("there is no layer");
   return descriptor;
 }
 
@@ -175,13 +149,9 @@ std::string descriptor_json(const Descriptor& descriptor) {
 }
 
 Descriptor read_descriptor(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const auto document = read_json(path);
   try {
-    return descriptor_of(parse_json(text));
-  } catch (const json::exception& error) {
-    constexpr std::size_t shown = 120;
-    throw std::invalid_argument(
-        path.string() + ": not a descriptor: " + std::string(error.what()).substr(0, shown));
+    return descriptor_of(JsonPlace(document));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path.string() + ": " + error.what());
   }

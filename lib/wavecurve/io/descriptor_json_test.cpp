@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/altered_json_test.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {
@@ -98,6 +99,19 @@ TEST_F(DescriptorJson, IsReadBackToTheLastBit) {
   EXPECT_EQ(descriptor_json(again), text);
 }
 
+TEST_F(DescriptorJson, WithAnyPlaceAlteredIsReadOrRefusedInOneSentence) {
+  const auto refusal = [&](const nlohmann::json& document) -> std::string {
+    try {
+      read(document.dump());
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto documents = altered(nlohmann::json::parse(descriptor_json(example())));
+  EXPECT_GT(refused_of(documents, refusal), 200);
+}
+
 TEST_F(DescriptorJson, RefusesWhatIsBroken) {
   const nlohmann::json good = nlohmann::json::parse(descriptor_json(example()));
   const auto with = [&](const char* pointer, const nlohmann::json& value) {
@@ -114,15 +128,19 @@ TEST_F(DescriptorJson, RefusesWhatIsBroken) {
   expect_refusal(with("/samples", 1e30), "samples is 1e+30");
   expect_refusal(with("/samples", 18446744073709551615U), "samples is 18446744073709551615");
   expect_refusal(std::string(100000, '['), "the document is nested more than 100 deep");
-  expect_refusal(with("/samples", 32), "x holds 64 values, but samples is 32");
+  expect_refusal(with("/samples", 32), "contours[0].x is a list of 64, but must be a list of 32");
   expect_refusal(with("/levels", 7), "7");
-  expect_refusal(with("/mode", "spline"), "mode is \"spline\", but must be \"samples\"");
-  expect_refusal(with("/view_box", {1, 2}), "view_box must be");
-  expect_refusal(with("/layers", nlohmann::json::array()), "no layer");
-  expect_refusal(with("/layers/1/contours", nlohmann::json::array()), "layer stroke: there is no");
-  expect_refusal(with("/layers/1/contours/0/x/5", nullptr), "layer stroke: x is null");
-  expect_refusal(with("/layers/1/paint/stroke", {0, 1}), "stroke must be null or");
-  expect_refusal(with("/layers/1/paint/stroke", {0, 1, 2}), "stroke is 2, but must be");
+  expect_refusal(with("/mode", "spline"), "mode is 'spline', but must be samples or interpolate");
+  expect_refusal(with("/view_box", {1, 2}), "view_box is a list of 2, but must be a list of 4");
+  expect_refusal(with("/layers", nlohmann::json::array()),
+                 "layers is a list of 0, but must be a list of at least one layer");
+  expect_refusal(with("/layers/1/contours", nlohmann::json::array()),
+                 "layers[1].contours is a list of 0");
+  expect_refusal(with("/layers/1/contours/0/x/5", nullptr), "layers[1].contours[0].x[5] is null");
+  expect_refusal(with("/layers/1/paint/stroke", {0, 1}),
+                 "stroke is a list of 2, but must be a list of 3");
+  expect_refusal(with("/layers/1/paint/stroke", {0, 1, 2}),
+                 "layers[1].paint.stroke[2] is 2, but must be a number from 0 to 1");
   nlohmann::json short_one = good;
   short_one.erase("filter");
   expect_refusal(short_one.dump(), "filter");

@@ -94,12 +94,12 @@ TEST_F(FilterJson, WhatIsWrongIsOneClearLine) {
       {"{", "not JSON: line 1, column 2: '{' is not expected"},
       {"{\"taps\":\n  [1 2]}", "not JSON: line 2, column 6: '2' is not expected"},
       {R"({"taps": [1e999]})", "not JSON: line 1, column 15: '1e999' is too large a number"},
-      {"[]", "the document is a list, but must be an object"},
+      {"[]", "the document is a list of 0, but must be an object"},
       {"3", "the document is 3, but must be an object"},
       {"{}", "the document has no key 'taps'"},
       {R"({"taps": 3})", "taps is 3, but must be a list"},
       {R"({"taps": ["1", null]})", "taps[1] is null, but must be a number, in quotes or not"},
-      {R"({"taps": [[1]]})", "taps[0] is a list, but must be a number, in quotes or not"},
+      {R"({"taps": [[1]]})", "taps[0] is a list of 1, but must be a number, in quotes or not"},
       {R"({"taps": ["1"], "first_index": 1.5})",
        "first_index is '1.5', but must be a whole number from -1000000 to 1000000"},
       {R"({"taps": ["1"], "first_index": 99999999999})",
@@ -107,7 +107,8 @@ TEST_F(FilterJson, WhatIsWrongIsOneClearLine) {
       {R"({"taps": ["1"], "first_index": 18446744073709551615})",
        "first_index is 18446744073709551615, but must be a whole number from -1000000 to 1000000"},
       {R"({"taps": ["1"], "name": 3})", "name is 3, but must be a text"},
-      {R"({"taps": ["1"], "sum": [2]})", "sum is a list, but must be a number, in quotes or not"},
+      {R"({"taps": ["1"], "sum": [2]})",
+       "sum is a list of 1, but must be a number, in quotes or not"},
       {R"({"taps": ["1"], "dual": 3})", "dual is 3, but must be an object"},
       {R"({"taps": ["1"], "dual": {"taps": [true]}})",
        "dual.taps[0] is true, but must be a number, in quotes or not"},
@@ -146,7 +147,7 @@ TEST_F(FilterJson, DepthAndSizeAreBounded) {
     EXPECT_EQ(refusal(nested("[", "]", deep)), "the document is nested more than 100 deep");
     EXPECT_EQ(refusal(nested("{\"a\":", "}", deep)), "the document is nested more than 100 deep");
   }
-  EXPECT_EQ(refusal(nested("[", "]", 99)), "name is a list, but must be a text");
+  EXPECT_EQ(refusal(nested("[", "]", 99)), "name is a list of 1, but must be a text");
   try {
     read(std::string((1 << 20) + 1, ' '));
     ADD_FAILURE();

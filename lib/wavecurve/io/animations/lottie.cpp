@@ -10,7 +10,7 @@
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
-#include "wavecurve/io/files/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 
 namespace wavecurve::io {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -10,16 +11,15 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/files/detail/json_values.hpp"
+#include "wavecurve/io/files/detail/json_place.hpp"
+#include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
-#include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::io {
 
 namespace {
 
 using Eigen::Index;
-using nlohmann::json;
 
 constexpr const char* parameters_format = "wavecurve-gait";
 constexpr int parameters_version = 1;
@@ -94,35 +94,31 @@ std::string json_lines(const Items& items, Text text) {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double number(const json& object, const char* key) { return number_in(object.at(key), key); }
+/// A finite number, or null, which stands for none.
+double some_number(const JsonPlace& place) { return place.is_null() ? none : place.number(); }
 
 /// Finite numbers, or null where that is allowed; any number of them if none is asked for.
-Eigen::VectorXd list(const json& values, const char* what, Index size, bool null_allowed) {
-  if (!values.is_array() || (size >= 0 && static_cast<Index>(values.size()) != size)) {
-    throw std::invalid_argument(fmt::format("{} must be a list{}", what,
-                                            size < 0 ? "" : fmt::format(" of {} numbers", size)));
-  }
-  Eigen::VectorXd result(static_cast<Index>(values.size()));
+Eigen::VectorXd list(const JsonPlace& place, std::optional<Index> size, bool null_allowed) {
+  const auto elements =
+      place.elements(size ? std::optional(static_cast<std::size_t>(*size)) : std::nullopt);
+  Eigen::VectorXd result(static_cast<Index>(elements.size()));
   for (Index i = 0; i < result.size(); ++i) {
-    const json& value = values[static_cast<std::size_t>(i)];
-    result[i] = value.is_number() ? value.get<double>() : none;
-    if (!std::isfinite(result[i]) && !(null_allowed && value.is_null())) {
-      throw std::invalid_argument(fmt::format("{} holds {}, but must hold finite numbers{}", what,
-                                              value.dump(), null_allowed ? " or null" : ""));
-    }
+    const JsonPlace& element = elements[static_cast<std::size_t>(i)];
+    result[i] = null_allowed ? some_number(element) : element.number();
   }
   return result;
 }
 
-gait::GaitModel model_of(const json& object) {
-  return gait::find_gait_model(object.at("model").get<std::string>());
+gait::GaitModel model_of(const JsonPlace& place) {
+  return gait::find_gait_model(place.at("model").text());
 }
 
-gait::PhaseMotion motion_of(const json& object, Index coefficients) {
-  gait::PhaseMotion motion{model_of(object), {}, number(object, "begin"), number(object, "end")};
-  const json& rows = object.at("parameters");
+gait::PhaseMotion motion_of(const JsonPlace& place, Index coefficients) {
+  gait::PhaseMotion motion{
+      model_of(place), {}, place.at("begin").number(), place.at("end").number()};
+  const auto rows = place.at("parameters").elements();
   const auto size = static_cast<Index>(rows.size());
-  if (!rows.is_array() || !gait::has_rows(motion.model, size)) {
+  if (!gait::has_rows(motion.model, size)) {
     throw std::invalid_argument(fmt::format("the model {} has {} rows of parameters",
                                             gait::model_name(motion.model), size));
   }
@@ -131,8 +127,7 @@ gait::PhaseMotion motion_of(const json& object, Index coefficients) {
       motion.model == gait::GaitModel::quadratic || motion.model == gait::GaitModel::oscillator;
   for (Index i = 0; i < size; ++i) {
     motion.parameters.row(i) =
-        list(rows[static_cast<std::size_t>(i)], "a row of parameters", coefficients, null_allowed)
-            .transpose();
+        list(rows[static_cast<std::size_t>(i)], coefficients, null_allowed).transpose();
   }
   if (motion.model == gait::GaitModel::oscillator && (motion.parameters.array() < 0).any()) {
     throw std::invalid_argument("the constants of an oscillator must be at least 0");
@@ -140,18 +135,18 @@ gait::PhaseMotion motion_of(const json& object, Index coefficients) {
   return motion;
 }
 
-gait::LimbPath path_of(const json& object, Index scale) {
-  gait::LimbPath path{object.at("limb").get<std::string>(),
-                      whole_number(object.at("foot"), "foot", 0, scale - 1),
-                      number(object, "offset"),
+gait::LimbPath path_of(const JsonPlace& place, Index scale, std::size_t phases) {
+  gait::LimbPath path{place.at("limb").text(),
+                      place.at("foot").whole_number(0, static_cast<int>(scale - 1)),
+                      place.at("offset").number(),
                       {}};
   try {
     double sum = 0;
-    for (const json& span : object.at("phases")) {
-      gait::PathSpan part{span.at("phase").get<std::string>(), number(span, "share"),
-                          Contour(scale, 2), motion_of(span, 2 * scale)};
-      part.start.col(0) = list(span.at("x"), "x", scale, false);
-      part.start.col(1) = list(span.at("y"), "y", scale, false);
+    for (const JsonPlace& span : place.at("phases").elements(phases)) {
+      gait::PathSpan part{span.at("phase").text(), span.at("share").number(), Contour(scale, 2),
+                          motion_of(span, 2 * scale)};
+      part.start.col(0) = list(span.at("x"), scale, false);
+      part.start.col(1) = list(span.at("y"), scale, false);
       if (!(part.share > 0 && part.share <= 1)) {
         throw std::invalid_argument(
             must_be("the share of phase " + part.phase, part.share, "above 0 and at most 1"));
@@ -169,65 +164,55 @@ gait::LimbPath path_of(const json& object, Index scale) {
   return path;
 }
 
-gait::PhaseGammas gammas_of(const json& object, Index coefficients) {
-  const auto some = [&](const char* key) {
-    return object.at(key).is_null() ? none : number(object, key);
-  };
-  return {object.at("limb").get<std::string>(),
-          object.at("phase").get<std::string>(),
-          list(object.at("gamma"), "gamma", coefficients, true),
-          list(object.at("standard_error"), "standard_error", coefficients, true),
-          some("limb_gamma"),
-          some("limb_standard_error"),
-          list(object.at("level_gamma"), "level_gamma", -1, true),
-          list(object.at("level_standard_error"), "level_standard_error", -1, true)};
+gait::PhaseGammas gammas_of(const JsonPlace& place, Index coefficients) {
+  return {place.at("limb").text(),
+          place.at("phase").text(),
+          list(place.at("gamma"), coefficients, true),
+          list(place.at("standard_error"), coefficients, true),
+          some_number(place.at("limb_gamma")),
+          some_number(place.at("limb_standard_error")),
+          list(place.at("level_gamma"), std::nullopt, true),
+          list(place.at("level_standard_error"), std::nullopt, true)};
 }
 
-gait::FitQuality quality_of(const json& object) {
-  return {object.at("limb").get<std::string>(),
-          object.at("phase").get<std::string>(),
-          model_of(object),
-          number(object, "residual_share_of_stride"),
-          number(object, "cross_validated"),
-          number(object, "foot_share_of_excursion"),
-          static_cast<int>(
-              whole_number(object.at("cycles"), "cycles", 0, std::numeric_limits<int>::max()))};
+gait::FitQuality quality_of(const JsonPlace& place) {
+  return {place.at("limb").text(),
+          place.at("phase").text(),
+          model_of(place),
+          place.at("residual_share_of_stride").number(),
+          place.at("cross_validated").number(),
+          place.at("foot_share_of_excursion").number(),
+          place.at("cycles").whole_number(0, std::numeric_limits<int>::max())};
 }
 
-gait::GaitParameters parameters_of(const json& document) {
-  check_kind(document, parameters_format, parameters_version);
+gait::GaitParameters parameters_of(const JsonPlace& place) {
+  check_kind(place, parameters_format, parameters_version);
+  constexpr std::size_t stance_and_swing = 2, four_subcycles = 4;
   gait::GaitParameters parameters;
-  parameters.period = number(document, "period");
-  parameters.facing = number(document, "facing");
-  parameters.stride = number(document, "stride");
+  parameters.period = place.at("period").number();
+  parameters.facing = place.at("facing").number();
+  parameters.stride = place.at("stride").number();
   if (!(parameters.period > 0) || std::abs(parameters.facing) != 1) {
     throw std::invalid_argument(
         fmt::format("period is {} and facing {}, but must be above 0, and 1 or -1",
                     parameters.period, parameters.facing));
   }
-  parameters.filter = document.at("filter").get<std::string>();
-  parameters.samples = whole_number(document.at("samples"), "samples", 0, most_samples);
-  parameters.scale = whole_number(document.at("scale"), "scale", 0, parameters.samples);
+  parameters.filter = place.at("filter").text();
+  const int samples = place.at("samples").whole_number(0, most_samples);
+  parameters.samples = samples;
+  parameters.scale = place.at("scale").whole_number(0, samples);
   check_samples(parameters.samples);
   check_samples(parameters.scale);
-  for (const json& limb : document.at("limbs")) {
-    parameters.limbs.push_back(path_of(limb, parameters.scale));
-    if (parameters.limbs.back().spans.size() != 2) {
-      throw std::invalid_argument(
-          fmt::format("limb {} must have two phases, stance and swing", limb.at("limb").dump()));
-    }
+  for (const JsonPlace& limb : place.at("limbs").elements()) {
+    parameters.limbs.push_back(path_of(limb, parameters.scale, stance_and_swing));
   }
-  for (const json& limb : document.at("subcycles")) {
-    parameters.subcycles.push_back(path_of(limb, parameters.scale));
-    if (parameters.subcycles.back().spans.size() != 4) {
-      throw std::invalid_argument(
-          fmt::format("limb {} must have four subcycles", limb.at("limb").dump()));
-    }
+  for (const JsonPlace& limb : place.at("subcycles").elements()) {
+    parameters.subcycles.push_back(path_of(limb, parameters.scale, four_subcycles));
   }
-  for (const json& gammas : document.at("gammas")) {
+  for (const JsonPlace& gammas : place.at("gammas").elements()) {
     parameters.gammas.push_back(gammas_of(gammas, 2 * parameters.scale));
   }
-  for (const json& quality : document.at("quality")) {
+  for (const JsonPlace& quality : place.at("quality").elements()) {
     parameters.quality.push_back(quality_of(quality));
   }
   return parameters;
@@ -267,13 +252,9 @@ std::string gait_parameters_json(const gait::GaitParameters& parameters) {
 }
 
 gait::GaitParameters read_gait_parameters(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const auto document = read_json(path);
   try {
-    return parameters_of(parse_json(text));
-  } catch (const json::exception& error) {
-    constexpr std::size_t shown = 120;
-    throw std::invalid_argument(path.string() + ": not the parameters of a gait: " +
-                                std::string(error.what()).substr(0, shown));
+    return parameters_of(JsonPlace(document));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path.string() + ": " + error.what());
   }

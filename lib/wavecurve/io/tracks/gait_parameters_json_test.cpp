@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/io/files/detail/altered_json_test.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/motion/gait/model/fit_gait.hpp"
 #include "wavecurve/motion/gait/record/planted_gait_test.hpp"
@@ -73,6 +74,11 @@ TEST_F(GaitParametersFile, HoldsTheQualityOfEveryLimbPhaseAndModel) {
   }
 }
 
+TEST_F(GaitParametersFile, WithAnyPlaceAlteredIsReadOrRefusedInOneSentence) {
+  const auto documents = altered(nlohmann::json::parse(gait_parameters_json(planted())));
+  EXPECT_GT(refused_of(documents, [&](const auto& document) { return refusal(document); }), 500);
+}
+
 TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   const auto good = nlohmann::json::parse(gait_parameters_json(planted()));
   ASSERT_EQ(refusal(good), "");
@@ -96,17 +102,17 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   EXPECT_EQ(refusal(bad), "scale is 32, but must be a whole number from 0 to 16");
   bad = good;
   bad["limbs"][2]["foot"] = 8;
-  EXPECT_EQ(refusal(bad), "foot is 8, but must be a whole number from 0 to 7");
+  EXPECT_EQ(refusal(bad), "limbs[2].foot is 8, but must be a whole number from 0 to 7");
   bad = good;
   bad["limbs"][2]["phases"][0]["share"] = 0.9;
   EXPECT_NE(refusal(bad).find("limb LH: the sum of the shares is"), std::string::npos)
       << refusal(bad);
   bad = good;
   bad["limbs"][0]["phases"][0]["x"][3] = nullptr;
-  EXPECT_EQ(refusal(bad), "limb LF: x holds null, but must hold finite numbers");
+  EXPECT_EQ(refusal(bad), "limb LF: limbs[0].phases[0].x[3] is null, but must be a finite number");
   bad = good;
   bad["limbs"][0]["phases"][0]["y"].push_back(1);
-  EXPECT_EQ(refusal(bad), "limb LF: y must be a list of 8 numbers");
+  EXPECT_EQ(refusal(bad), "limb LF: limbs[0].phases[0].y is a list of 9, but must be a list of 8");
   bad = good;
   bad["limbs"][1]["phases"][1]["model"] = "septic";
   EXPECT_EQ(refusal(bad),
@@ -117,7 +123,7 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   EXPECT_NE(refusal(bad).find("has 0 rows of parameters"), std::string::npos) << refusal(bad);
   bad = good;
   bad.erase("quality");
-  EXPECT_NE(refusal(bad).find("not the parameters of a gait"), std::string::npos);
+  EXPECT_NE(refusal(bad).find("the document has no key 'quality'"), std::string::npos);
   bad = good;
   bad["limbs"][0]["phases"].erase(1);
   EXPECT_NE(refusal(bad), "");

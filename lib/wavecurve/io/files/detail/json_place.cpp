@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/files/detail/json_values.hpp"
 
 namespace wavecurve::io {
 
@@ -43,10 +44,17 @@ std::string guess(std::string_view name, const std::vector<std::string>& known) 
   return fmt::format("; do you mean '{}'?", *nearest);
 }
 
+/// The JSON library takes an integer above the largest of 64 bits with a sign for a negative one.
+template <class Json>
+bool exceeds_signed(const Json& value) {
+  return value.is_number_unsigned() &&
+         value.template get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
+}
+
 /// A value for a message, on one line and short.
 template <class Json>
 std::string brief(const Json& value) {
-  if (value.is_array()) return "a list";
+  if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_object()) return "an object";
   if (value.is_string())
     return value_text(std::string_view(value.template get_ref<const std::string&>()));
@@ -86,8 +94,11 @@ BasicJsonPlace<Json> BasicJsonPlace<Json>::at(const std::string& key) const {
 }
 
 template <class Json>
-std::vector<BasicJsonPlace<Json>> BasicJsonPlace<Json>::elements() const {
-  if (!value_->is_array()) refuse("a list");
+std::vector<BasicJsonPlace<Json>> BasicJsonPlace<Json>::elements(
+    std::optional<std::size_t> size) const {
+  if (!value_->is_array() || value_->size() != size.value_or(value_->size())) {
+    refuse(size ? fmt::format("a list of {}", *size) : "a list");
+  }
   std::vector<BasicJsonPlace> elements;
   for (std::size_t i = 0; i < value_->size(); ++i) {
     elements.push_back(BasicJsonPlace((*value_)[i], fmt::format("{}[{}]", path_, i)));
@@ -122,13 +133,37 @@ int BasicJsonPlace<Json>::whole_number(int least, int most) const {
 }
 
 template <class Json>
-double BasicJsonPlace<Json>::number() const {
+double BasicJsonPlace<Json>::number(double least, double most) const {
   const double number = value_->is_number() ? value_->template get<double>() : std::nan("");
-  if (!std::isfinite(number)) refuse("a finite number");
-  return number;
+  if (std::isfinite(number) && number >= least && number <= most) return number;
+  const bool has_bounds = least > std::numeric_limits<double>::lowest();
+  refuse(has_bounds ? fmt::format("a number from {} to {}", least, most) : "a finite number");
+}
+
+template <class Json>
+bool BasicJsonPlace<Json>::boolean() const {
+  if (!value_->is_boolean()) refuse("true or false");
+  return value_->template get<bool>();
+}
+
+template <class Json>
+std::string BasicJsonPlace<Json>::one_of(const std::vector<std::string>& known) const {
+  const bool is_known = value_->is_string() && std::ranges::find(known, text()) != known.end();
+  if (!is_known) refuse(fmt::format("{}", fmt::join(known, " or ")));
+  return text();
 }
 
 template class BasicJsonPlace<nlohmann::json>;
 template class BasicJsonPlace<nlohmann::ordered_json>;
+
+void check_kind(const JsonPlace& document, const std::string& format, int version) {
+  const auto found = document.find("format");
+  if (!found || found->value() != format) {
+    throw std::invalid_argument(fmt::format("\"format\" must be \"{}\"", format));
+  }
+  if (document.at("version").value() != version) {
+    document.at("version").refuse(std::to_string(version));
+  }
+}
 
 }  // namespace wavecurve::io

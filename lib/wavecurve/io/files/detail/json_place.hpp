@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,17 +29,23 @@ class BasicJsonPlace {
   /// Throws if it is not there.
   BasicJsonPlace at(const std::string& key) const;
 
-  /// Throws unless it is a list.
-  std::vector<BasicJsonPlace> elements() const;
+  /// Throws unless it is a list, and has so many elements where a number is given.
+  std::vector<BasicJsonPlace> elements(std::optional<std::size_t> size = std::nullopt) const;
   /// Keys and values in the document's order. Throws unless it is an object.
   std::vector<std::pair<std::string, BasicJsonPlace>> items() const;
+  bool is_null() const { return value_->is_null(); }
+  /// Throws unless it is true or false.
+  bool boolean() const;
   /// Throws unless it is a text.
   std::string text() const;
+  /// Throws unless it is one of these texts.
+  std::string one_of(const std::vector<std::string>& known) const;
   /// Throws unless it is a whole number from `least` to `most`.
   int whole_number(int least, int most) const;
 
-  /// Throws unless it is a finite number.
-  double number() const;
+  /// Throws unless it is a finite number, from `least` to `most`.
+  double number(double least = std::numeric_limits<double>::lowest(),
+                double most = std::numeric_limits<double>::max()) const;
 
   [[noreturn]] void refuse(const std::string& bound) const;
 
@@ -50,5 +58,8 @@ class BasicJsonPlace {
 
 using JsonPlace = BasicJsonPlace<nlohmann::json>;
 using OrderedJsonPlace = BasicJsonPlace<nlohmann::ordered_json>;
+
+/// Throws unless "format" and "version" are what is read here.
+void check_kind(const JsonPlace& document, const std::string& format, int version);
 
 }  // namespace wavecurve::io

@@ -43,4 +43,6 @@ std::string json_text(const nlohmann::ordered_json& document, int indent) {
   return text_of(document, indent);
 }
 
+std::string quoted(const std::string& text) { return json_text(nlohmann::json(text)); }
+
 }  // namespace wavecurve::io

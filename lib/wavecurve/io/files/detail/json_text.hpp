@@ -12,4 +12,7 @@ namespace wavecurve::io {
 std::string json_text(const nlohmann::json& document, int indent = -1);
 std::string json_text(const nlohmann::ordered_json& document, int indent = -1);
 
+/// A text as JSON has it, in quotation marks.
+std::string quoted(const std::string& text);
+
 }  // namespace wavecurve::io
