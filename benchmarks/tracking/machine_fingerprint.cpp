@@ -62,7 +62,7 @@ std::vector<std::string> differences(const Json& before, const Json& after) {
   const Json a = before.flatten(), b = after.flatten();
   const auto text = [](const Json& all, const std::string& key) {
     if (!all.contains(key)) return std::string("missing");
-    return all[key].is_string() ? all[key].get<std::string>() : all[key].dump();
+    return all.at(key).is_string() ? all.at(key).get<std::string>() : all.at(key).dump();
   };
   Json keys = a;
   for (const auto& [key, value] : b.items()) keys[key] = value;
