@@ -134,7 +134,7 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
       exit_code = run_compare(*arguments);
     } catch (const MachinesDiffer& error) {
       stop_saying();
-      fmt::print(stderr, "wavecurve: {}\n", error.what());
+      tell(fmt::format("wavecurve: {}\n", error.what()));
       exit_code = machines_differ;
     }
   });

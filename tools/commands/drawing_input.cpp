@@ -1,7 +1,6 @@
 #include "tools/commands/drawing_input.hpp"
 
 #include <charconv>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -10,12 +9,14 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
+#include "tools/commands/progress.hpp"
+
 namespace wavecurve::tools {
 
 Drawing drawing_of(const std::string& path) {
   io::DrawingFile file = io::read_drawing(path);
   for (const std::string& warning : file.warnings) {
-    fmt::print(stderr, "wavecurve: {}: {}\n", path, warning);
+    tell(fmt::format("wavecurve: {}: {}\n", path, warning));
   }
   return std::move(file.drawing);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "wavecurve/io/files/detail/descriptor.hpp"
+#include "wavecurve/io/files/detail/open_file.hpp"
 #include "wavecurve/io/files/detail/output_path.hpp"
 #include "wavecurve/io/files/detail/temporary.hpp"
 
@@ -14,7 +14,7 @@ namespace wavecurve::io {
 namespace {
 
 void write_directly(const std::filesystem::path& path, std::string_view bytes) {
-  const Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  const OpenFile descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!descriptor.is_open()) {
     throw std::system_error(errno, std::generic_category(), "cannot write " + path.string());
   }

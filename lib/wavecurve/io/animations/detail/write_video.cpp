@@ -146,7 +146,7 @@ void check_video(const fs::path& video, int frames, const fs::path& path) try {
 
 /// To a pipe or a device, which cannot be replaced.
 void copy_video(const Temporary& video, const fs::path& path) {
-  const Descriptor target(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  const OpenFile target(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!target.is_open()) cannot_write_video(errno, "cannot write " + path.string());
   std::vector<char> part(std::size_t{1} << 20);
   for (off_t place = 0;;) {

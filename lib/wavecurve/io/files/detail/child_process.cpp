@@ -30,7 +30,7 @@ void check(int error) {
 }
 
 /// Two ends: ours and the child's.
-using Ends = std::array<Descriptor, 2>;
+using Ends = std::array<OpenFile, 2>;
 
 /// For what the child reads. Other than a pipe, a socket can be told not to raise a signal in us if
 /// the child has died.
@@ -39,13 +39,13 @@ Ends make_socket() {
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     fail(errno, "cannot make a socket");
   }
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  return {OpenFile(ends[0]), OpenFile(ends[1])};
 }
 
 Ends make_pipe() {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) fail(errno, "cannot make a pipe");
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  return {OpenFile(ends[0]), OpenFile(ends[1])};
 }
 
 /// The standard streams and the directory of a child.
@@ -56,7 +56,7 @@ class Actions {
   Actions(const Actions&) = delete;
   Actions& operator=(const Actions&) = delete;
 
-  void set(int stream, const Descriptor& descriptor) {
+  void set(int stream, const OpenFile& descriptor) {
     check(descriptor.is_open()
               ? ::posix_spawn_file_actions_adddup2(&actions_, descriptor.number(), stream)
               : ::posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", O_RDONLY, 0));
@@ -129,7 +129,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
 }
 
 void ChildProcess::start(std::vector<std::string> command, const ChildSetting& setting,
-                         Descriptor input, Descriptor out, Descriptor err) {
+                         OpenFile input, OpenFile out, OpenFile err) {
   Actions actions;
   actions.set(STDIN_FILENO, input);
   actions.set(STDOUT_FILENO, out);
@@ -185,7 +185,7 @@ std::size_t ChildProcess::exchange(std::string_view bytes) {
   return 0;
 }
 
-void ChildProcess::take(Descriptor& stream, const pollfd& state, std::string& text) {
+void ChildProcess::take(OpenFile& stream, const pollfd& state, std::string& text) {
   if (state.revents == 0) return;
   std::array<char, 65536> part;
   const ssize_t count = ::read(stream.number(), part.data(), part.size());

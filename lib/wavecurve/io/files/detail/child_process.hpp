@@ -7,7 +7,7 @@
 #include <sys/types.h>
 #include <vector>
 
-#include "wavecurve/io/files/detail/descriptor.hpp"
+#include "wavecurve/io/files/detail/open_file.hpp"
 
 struct pollfd;
 
@@ -46,15 +46,15 @@ class ChildProcess {
   const std::string& err() const { return err_text_; }
 
  private:
-  void start(std::vector<std::string> command, const ChildSetting& setting, Descriptor input,
-             Descriptor out, Descriptor err);
+  void start(std::vector<std::string> command, const ChildSetting& setting, OpenFile input,
+             OpenFile out, OpenFile err);
   std::size_t exchange(std::string_view bytes);
-  void take(Descriptor& stream, const pollfd& state, std::string& text);
+  void take(OpenFile& stream, const pollfd& state, std::string& text);
   int wait();
 
   std::string name_;
   pid_t process_ = 0;
-  Descriptor input_, out_, err_;
+  OpenFile input_, out_, err_;
   std::string out_text_, err_text_;
 };
 

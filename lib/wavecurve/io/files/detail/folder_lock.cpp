@@ -12,7 +12,7 @@ namespace wavecurve::io {
 namespace {
 
 /// The folder may have given its place to another one before it was locked.
-bool is_at(const std::filesystem::path& path, const Descriptor& descriptor) {
+bool is_at(const std::filesystem::path& path, const OpenFile& descriptor) {
   struct stat there {
   }, here{};
   return ::stat(path.c_str(), &there) == 0 && ::fstat(descriptor.number(), &here) == 0 &&
@@ -23,7 +23,7 @@ bool is_at(const std::filesystem::path& path, const Descriptor& descriptor) {
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   do {
-    descriptor_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    descriptor_ = OpenFile(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!descriptor_.is_open()) {
       throw std::system_error(errno, std::generic_category(), "cannot open " + folder.string());
     }
@@ -31,7 +31,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
   } while (!is_at(folder, descriptor_));
 }
 
-void lock_for_this_run(const Descriptor& descriptor, const std::filesystem::path& path) {
+void lock_for_this_run(const OpenFile& descriptor, const std::filesystem::path& path) {
   int result = 0;
   while ((result = ::flock(descriptor.number(), LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
   }

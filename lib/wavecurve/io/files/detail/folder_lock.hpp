@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "wavecurve/io/files/detail/descriptor.hpp"
+#include "wavecurve/io/files/detail/open_file.hpp"
 
 namespace wavecurve::io {
 
@@ -14,10 +14,10 @@ class FolderLock {
   explicit FolderLock(const std::filesystem::path& folder);
 
  private:
-  Descriptor descriptor_;
+  OpenFile descriptor_;
 };
 
 /// Locks what is open, in the same way; `path` is named in what is thrown.
-void lock_for_this_run(const Descriptor& descriptor, const std::filesystem::path& path);
+void lock_for_this_run(const OpenFile& descriptor, const std::filesystem::path& path);
 
 }  // namespace wavecurve::io

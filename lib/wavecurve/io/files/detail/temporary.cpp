@@ -46,7 +46,7 @@ bool is_name_of_ours(std::string_view name) {
 
 void remove_if_stale(const fs::path& path) {
   const int flags = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
-  const Descriptor found(::open(path.c_str(), flags));
+  const OpenFile found(::open(path.c_str(), flags));
   struct stat status {};
   if (!found.is_open() || ::fstat(found.number(), &status) != 0) return;
   if (status.st_uid != ::geteuid() || !(S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))) return;
@@ -67,13 +67,13 @@ void remove_what_is_stale(const fs::path& folder) {
 }
 
 /// Makes a new file or folder, as permissive as the system makes any. Not open: it could not be made.
-Descriptor make_new(const fs::path& path, Temporary::Kind kind, mode_t permissions) {
+OpenFile make_new(const fs::path& path, Temporary::Kind kind, mode_t permissions) {
   if (kind == Temporary::Kind::file) {
     const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
-    return Descriptor(::open(path.c_str(), flags, permissions));
+    return OpenFile(::open(path.c_str(), flags, permissions));
   }
   if (::mkdir(path.c_str(), permissions) != 0) return {};
-  Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  OpenFile folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.is_open()) {
     const int error = errno;
     ::rmdir(path.c_str());
@@ -84,7 +84,7 @@ Descriptor make_new(const fs::path& path, Temporary::Kind kind, mode_t permissio
 
 /// False if another program took it for stale in the moment before it was locked. A file system
 /// without locks removes nothing that is stale, and so nothing that is not.
-bool lock(const Descriptor& made) {
+bool lock(const OpenFile& made) {
   struct stat status {};
   const bool is_taken = ::flock(made.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   return !is_taken && ::fstat(made.number(), &status) == 0 && status.st_nlink > 0;
@@ -106,7 +106,7 @@ void Temporary::make(mode_t permissions) {
   remove_what_is_stale(folder);
   while (!descriptor_.is_open()) {
     path_ = next_name(folder);
-    Descriptor made = make_new(path_, kind_, permissions);
+    OpenFile made = make_new(path_, kind_, permissions);
     if (!made.is_open() && errno == EEXIST) continue;
     if (!made.is_open()) cannot_write(target_, errno);
     if (lock(made)) descriptor_ = std::move(made);

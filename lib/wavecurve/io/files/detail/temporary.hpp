@@ -4,7 +4,7 @@
 #include <functional>
 #include <sys/types.h>
 
-#include "wavecurve/io/files/detail/descriptor.hpp"
+#include "wavecurve/io/files/detail/open_file.hpp"
 
 namespace wavecurve::io {
 
@@ -42,7 +42,7 @@ class Temporary {
 
   std::filesystem::path target_, path_;
   Kind kind_;
-  Descriptor descriptor_;
+  OpenFile descriptor_;
 };
 
 }  // namespace wavecurve::io

@@ -1,4 +1,4 @@
-#include "wavecurve/io/files/detail/descriptor.hpp"
+#include "wavecurve/io/files/detail/open_file.hpp"
 
 #include <cerrno>
 #include <system_error>
@@ -6,7 +6,7 @@
 
 namespace wavecurve::io {
 
-void Descriptor::close() {
+void OpenFile::close() {
   // What is to last was synced before, so that an error of closing tells nothing new.
   if (is_open()) ::close(std::exchange(number_, -1));
 }

@@ -7,16 +7,16 @@
 namespace wavecurve::io {
 
 /// A number by which the system knows an open file; closed when this is gone.
-class Descriptor {
+class OpenFile {
  public:
-  Descriptor() = default;
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
+  OpenFile() = default;
+  explicit OpenFile(int number) : number_(number) {}
+  OpenFile(OpenFile&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
     std::swap(number_, other.number_);
     return *this;
   }
-  ~Descriptor() { close(); }
+  ~OpenFile() { close(); }
 
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
