@@ -146,7 +146,7 @@ TEST_F(Ending, TheSecondOfTwoRunsOnOneFolderIsTold) {
     const io::FolderLock first(folder_ / "r.png");
     for (const char* command :
          {"compare --samples 16 -o r.png", "verify --only erratum-2-5 --output r.png",
-          "bench history --history . -o r.png", "morph a.svg b.svg -o r.png"}) {
+          "morph a.svg b.svg -o r.png"}) {
       const ProgramRun second = wavecurve(command);
       EXPECT_EQ(second.exit_code, 3) << command;
       EXPECT_EQ(second.err,

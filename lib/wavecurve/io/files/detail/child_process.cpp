@@ -205,7 +205,7 @@ int ChildProcess::wait() {
          errno == EINTR) {
   }
   Unfinished unfinished;
-  unfinished.remove(process_);
+  unfinished.forget(process_);
   int status = 0;
   const pid_t child = std::exchange(process_, 0);
   if (::waitpid(child, &status, 0) < 0) fail(errno, "cannot wait for " + name_);

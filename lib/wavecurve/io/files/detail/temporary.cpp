@@ -116,10 +116,7 @@ void Temporary::make(mode_t permissions) {
 
 Temporary::~Temporary() {
   if (path_.empty()) return;
-  Unfinished unfinished;
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-  unfinished.remove(path_);
+  Unfinished().remove(path_);
 }
 
 void Temporary::keep() {
@@ -131,7 +128,7 @@ void Temporary::keep() {
   }
   Unfinished unfinished;
   if (::rename(path_.c_str(), target_.c_str()) != 0) cannot_write(target_, errno);
-  unfinished.remove(path_);
+  unfinished.forget(path_);
   path_.clear();
 }
 
@@ -149,7 +146,7 @@ bool Temporary::exchange(const std::function<void()>& check) {
     return true;
   } catch (...) {
     if (!change_places()) {  // it is not ours to be removed
-      unfinished.remove(path_);
+      unfinished.forget(path_);
       path_.clear();
     }
     throw;

@@ -40,6 +40,14 @@ void end_children(const std::set<pid_t>& children) {
   for (const pid_t child : children) ::kill(-child, SIGKILL);
 }
 
+/// Twice, for the reason why it failed may have passed: no descriptor was free, say. What stays all
+/// the same is removed by the next run.
+void remove_wholly(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove_all(path, error);
+  if (error) std::filesystem::remove_all(path, error);
+}
+
 }  // namespace
 
 Unfinished::Unfinished() : lock_(registered().mutex) {}
@@ -48,20 +56,22 @@ void Unfinished::add(const std::filesystem::path& temporary) {
   registered().temporaries.insert(temporary);
 }
 
-void Unfinished::remove(const std::filesystem::path& temporary) {
+void Unfinished::forget(const std::filesystem::path& temporary) {
   registered().temporaries.erase(temporary);
 }
 
 void Unfinished::add(pid_t child) { registered().children.insert(child); }
 
-void Unfinished::remove(pid_t child) { registered().children.erase(child); }
+void Unfinished::forget(pid_t child) { registered().children.erase(child); }
+
+void Unfinished::remove(const std::filesystem::path& temporary) {
+  remove_wholly(temporary);
+  forget(temporary);
+}
 
 void Unfinished::abandon() {
   end_children(registered().children);
-  for (const std::filesystem::path& temporary : registered().temporaries) {
-    std::error_code ignored;
-    std::filesystem::remove_all(temporary, ignored);
-  }
+  for (const std::filesystem::path& temporary : registered().temporaries) remove_wholly(temporary);
 }
 
 }  // namespace wavecurve::io

@@ -15,9 +15,12 @@ class Unfinished {
   Unfinished();
 
   void add(const std::filesystem::path& temporary);
-  void remove(const std::filesystem::path& temporary);
+  void forget(const std::filesystem::path& temporary);
   void add(pid_t child);
-  void remove(pid_t child);
+  void forget(pid_t child);
+
+  /// Removes what is there of it, and forgets it.
+  void remove(const std::filesystem::path& temporary);
 
   /// Ends the child processes with all that they started (each leads a process group): by SIGTERM,
   /// and after two seconds by SIGKILL. Then removes the temporary files and folders.
