@@ -33,17 +33,19 @@ ERRORS = {"write": errno.ENOSPC, "short": 0, "fsync": errno.EIO, "rename": errno
           "spawn": errno.EAGAIN, "ftruncate": errno.EIO, "unlink": errno.EIO, "mkdir": errno.ENOSPC,
           "link": errno.EPERM, "pipe": errno.EMFILE, "socketpair": errno.EMFILE, "thread": errno.EAGAIN}
 TEMPORARY = re.compile(r"^\.wavecurve-\d+-\d+$|\.wavecurve-old$")
+ENDS = {".html": b"</html>", ".svg": b"</svg>"}
 PATIENCE = 60  # seconds
 
-# A name, the arguments of an older run, and those of a newer one.
-Command = collections.namedtuple("Command", "name older newer")
+# A name, the arguments of an older run, and those of a newer one. What is timed differs in its seconds.
+Command = collections.namedtuple("Command", "name older newer is_timed", defaults=[False])
 
 
 def commands(examples):
     face = f"{examples}/face-cat.svg {examples}/face-dog.svg"
     walk = f"{examples}/dog-walk.csv"
     morph = [Command(f"morph {kind}", f"morph {face} --samples 64 --frames 3 -o o{kind}",
-                     f"morph {face} --samples 32 --frames 4 -o o{kind}") for kind in (".svg", ".json", ".html", ".gif", ".mp4", ".webm", ".png")]
+                     f"morph {face} --samples 32 --frames 4 -o o{kind}")
+             for kind in (".svg", ".json", ".html", ".gif", ".mp4", ".webm", ".png")]
     study = "compare --samples 16 --shape star --damping 0,0 -o study --solvers decoupled"
     return morph + [
         Command("morph --sheet", f"morph {face} --sheet --frames 3 -o o.svg",
@@ -61,6 +63,7 @@ def commands(examples):
         Command("check -o", "check t.csv -o o.html", "check u.csv -o o.html"),
         # All points are in the journal, so that every byte of the new output is known.
         Command("compare -o", study, study + ",spectral,implicit"),
+        Command("compare -o, measured", study, study.replace("star", "dent") + ",implicit-ldlt --format json", True),
         Command("verify", "verify --only erratum-2-5 --output report",
                 "verify --only erratum-2-5 --only decoupling --output report"),
         Command("verify --bless", "verify --only erratum-2-5 --bless --reference r.json --output report",
@@ -122,14 +125,14 @@ class Sweep:
             (folder / "study").mkdir()
             (folder / "study/compare.points.jsonl").write_bytes(journal)
         self.must_run(command.older, folder)
-        before = contents(folder)
+        before = contents(folder, command)
         after_folder = self.copy(folder)
         out = self.must_run(command.newer, after_folder)
-        after = contents(after_folder)
+        after = contents(after_folder, command)
         if before == after:
             sys.exit(f"sweep.py: {command.name} changes nothing")
         shutil.rmtree(after_folder)
-        return folder, before, after, out
+        return folder, before, after, without_seconds(out) if command.is_timed else out
 
     def copy(self, folder):
         copy = pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "work"
@@ -140,13 +143,14 @@ class Sweep:
         """What became of a run: counted, and what is wrong with it kept."""
         before, after, expected_out = states
         code, out, err = result
-        now = contents(folder)
-        left = {name for name in now if any(TEMPORARY.search(part) for part in name.split("/"))}
+        now = contents(folder, command)
         problems = []
-        if left and (failure.startswith("unlink") or sent == signal.SIGKILL):
+        if temporaries(now) and (failure.startswith("unlink") or sent == signal.SIGKILL):
             self.run(command.newer, folder)  # the next run tidies up
-            left = {name for name in contents(folder) if any(TEMPORARY.search(part) for part in name.split("/"))}
-            now = {name: content for name, content in now.items() if not any(TEMPORARY.search(p) for p in name.split("/"))}
+            left = temporaries(contents(folder, command))
+            now = {name: content for name, content in now.items() if name not in temporaries(now)}
+        else:
+            left = temporaries(now)
         if left:
             problems.append(f"leaves {sorted(left)[0]}")
         if sent is not None and code == -sent:
@@ -155,7 +159,7 @@ class Sweep:
             outcome = "done"
             if now != after:
                 problems.append("exit code 0 without the right output: " + difference(now, after))
-            if out != expected_out:
+            if (without_seconds(out) if command.is_timed else out) != expected_out:
                 problems.append("exit code 0 with another text")
         elif code in (2, 3):
             outcome = "refused"
@@ -168,8 +172,15 @@ class Sweep:
         if sent == signal.SIGKILL:  # within the renames of several files each is whole
             if mixed:
                 problems.append(f"{sorted(mixed)[0]} is neither the old nor the new one")
-        elif now not in (before, after):
-            problems.append("neither the old output nor the new: " + difference(now, before))
+        else:  # each file or folder that is written, the report and the reference say, by itself
+            for unit in sorted({name.split("/")[0] for name in {*now, *before, *after}}):
+                found, old, new = (part(files, unit) for files in (now, before, after))
+                if found not in (old, new):
+                    problems.append("neither the old output nor the new: " + difference(found, old))
+        if command.is_timed and code != 0:  # what was measured is taken up
+            self.must_run(command.newer, folder)
+            if contents(folder, command) != after:
+                problems.append("cannot be taken up")
         self.rows[command.name, failure.split()[0], "broken" if problems else outcome] += 1
         self.broken += [f"{command.name}, {failure}: {problem}" for problem in problems]
 
@@ -245,8 +256,35 @@ def small_record(record):
     return record
 
 
-def contents(folder):
-    """{path: bytes, or where a link leads}; a folder is known by its files."""
+def temporaries(names):
+    return {name for name in names if any(TEMPORARY.search(part) for part in name.split("/"))}
+
+
+def without_seconds(text):
+    def stripped(value):
+        if isinstance(value, dict):
+            return {key: stripped(item) for key, item in value.items() if key != "seconds"}
+        return [stripped(item) for item in value] if isinstance(value, list) else value
+
+    return json.dumps(stripped(json.loads(text)))
+
+
+def contents(folder, command):
+    """{path: bytes, or where a link leads}; a folder is known by its files. Of what is timed, the numbers but the
+    seconds, and whether the other files have their ends; and not the journal, which only grows."""
+    found = raw_contents(folder)
+    if not command.is_timed:
+        return found
+    found.pop("study/compare.points.jsonl", None)
+    for name, content in found.items():
+        if name.endswith(".json") and name.startswith("study"):
+            found[name] = without_seconds(content)
+        elif name.startswith("study"):
+            found[name] = content.rstrip().endswith(ENDS.get(pathlib.Path(name).suffix, b""))
+    return found
+
+
+def raw_contents(folder):
     found = {}
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
@@ -257,6 +295,10 @@ def contents(folder):
         elif TEMPORARY.search(path.name):
             found[name] = b""
     return found
+
+
+def part(files, unit):
+    return {name: content for name, content in files.items() if name.split("/")[0] == unit}
 
 
 def difference(one, other):
@@ -276,8 +318,9 @@ def main():
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="wavecurve-faults-") as folder:
         sweep = Sweep(options, pathlib.Path(folder))
-        jobs = [job for command in commands(options.source + "/docs/examples") if not options.only or options.only in command.name
-                for job in sweep.jobs(command)]
+        chosen = [command for command in commands(options.source + "/docs/examples")
+                  if (options.only or "") in command.name]
+        jobs = [job for command in chosen for job in sweep.jobs(command)]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for done in [pool.submit(job) for job in jobs[::options.sample]]:
                 done.result()

@@ -61,8 +61,8 @@ std::string over_background(const Raster& raster, const Colour& background) {
   return rgb;
 }
 
-std::vector<std::string> encoder(const fs::path& file, const std::string& ending, RasterSize size,
-                                 double rate, const OutputOptions& options) {
+std::vector<std::string> encoder(const std::string& ending, RasterSize size, double rate,
+                                 const OutputOptions& options) {
   std::vector<std::string> words{"ffmpeg",
                                  "-nostdin",
                                  "-y",
@@ -89,8 +89,7 @@ std::vector<std::string> encoder(const fs::path& file, const std::string& ending
                                  "-map_metadata",
                                  "-1"};
   for (std::string& word : encoding(ending, options)) words.push_back(std::move(word));
-  // A name may hold a colon, or begin with a dash.
-  words.push_back("file:" + file.string());
+  words.emplace_back("file:/dev/fd/3");
   return words;
 }
 
@@ -113,11 +112,15 @@ void finish(ChildProcess& program, const char* name, const fs::path& path) {
                                       first_complaint_of(program, exit_code)));
 }
 
-void encode(const std::vector<std::string>& command, const motion::Animation& animation,
-            const OutputOptions& options, const fs::path& path) {
+void encode(const std::vector<std::string>& command, const fs::path& video,
+            const motion::Animation& animation, const OutputOptions& options,
+            const fs::path& path) {
+  // Opened anew: with our own descriptor ffmpeg would have the lock too, and might survive us.
+  const OpenFile file(::open(video.c_str(), O_RDWR | O_CLOEXEC));
+  if (!file.is_open()) cannot_write_video(errno, "cannot write " + path.string());
   std::optional<ChildProcess> ffmpeg;
   try {
-    ffmpeg.emplace(command, ChildSetting{.has_input = true});
+    ffmpeg.emplace(command, ChildSetting{.has_input = true, .file = &file});
   } catch (const std::system_error& error) {
     throw std::system_error(error.code(), "cannot run ffmpeg, which .gif, .mp4 and .webm need");
   }
@@ -131,9 +134,10 @@ void encode(const std::vector<std::string>& command, const motion::Animation& an
 
 /// Decodes the video, every frame of it.
 void check_video(const fs::path& video, int frames, const fs::path& path) try {
-  ChildProcess ffprobe({"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0",
-                        "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0",
-                        "file:" + video.string()});
+  ChildProcess ffprobe(
+      {"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+       "stream=nb_read_frames", "-of", "csv=p=0",
+       "file:" + video.string()});  // a name may hold a colon, or begin with a dash
   finish(ffprobe, "ffprobe", path);
   const std::string count = ffprobe.out().substr(0, ffprobe.out().find_first_of(",\r\n"));
   if (count == std::to_string(frames)) return;
@@ -170,7 +174,7 @@ void write_video(const fs::path& path, const motion::Animation& animation,
   const bool special = is_special(path);
   Temporary video(special ? fs::temp_directory_path() / "video" : output_path(path),
                   Temporary::Kind::file);
-  encode(encoder(video.path(), path.extension().string(), size, rate, options), animation, options,
+  encode(encoder(path.extension().string(), size, rate, options), video.path(), animation, options,
          path);
   check_video(video.path(), options.frames, path);
   if (special) return copy_video(video, path);

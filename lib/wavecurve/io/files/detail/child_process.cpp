@@ -134,6 +134,7 @@ void ChildProcess::start(std::vector<std::string> command, const ChildSetting& s
   actions.set(STDIN_FILENO, input);
   actions.set(STDOUT_FILENO, out);
   actions.set(STDERR_FILENO, err);
+  if (setting.file != nullptr) actions.set(3, *setting.file);
   actions.stand_in(setting.directory);
   const Attributes attributes;
   std::vector<std::string> variables = child_environment(setting.variables);

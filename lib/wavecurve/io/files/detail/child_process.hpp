@@ -17,6 +17,9 @@ struct ChildSetting {
   bool has_input = false;                   ///< it reads what we write; else nothing
   std::filesystem::path directory = {};     ///< where it stands; where we stand if this is empty
   std::vector<std::string> variables = {};  ///< NAME=VALUE, beside our environment
+  /// An open file that it finds as /dev/fd/3. What it is given by name, it may make again after we
+  /// were killed and a later run has removed it.
+  const OpenFile* file = nullptr;
 };
 
 /// A running program, found through PATH, that leads a process group of its own. It speaks no
