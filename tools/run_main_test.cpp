@@ -47,7 +47,7 @@ TEST_F(ExitCodes, OfACircleOfLinksAndOfANameThatIsTooLong) {
     expect_refusal(command, "wavecurve: ");
   }
   const std::string name(300, 'n');
-  for (const std::string command :
+  for (const std::string& command :
        {"filter " + name + ".json", "check " + name + ".csv", "describe " + name + ".svg",
         "gait fit " + name + ".csv -o b.json", "bench check " + name}) {
     expect_refusal(command, "wavecurve: ");

@@ -143,20 +143,21 @@ TEST_F(CompareCommand, WhatTheMachineLackedIsNoResult) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer needs all addresses";
 #endif
-  // One solver has a dense matrix of 128 MiB and copies of it, the other vectors only.
+  // Its dense matrix has 128 MiB, and there are copies of it.
   const std::string command = "cd '" + folder_.string() + "' && ulimit -v 300000 && { '" +
                               WAVECURVE_PROGRAM
                               "' compare --samples 4096 --shape star --damping 0,0 "
-                              "--solvers coupled-dense,decoupled -o study; }";
+                              "--solvers decoupled,coupled-dense -o study; }";
   for (int i = 0; i < 2; ++i) {  // tried again by the next run
     const ProgramRun lacking = run(command);
     EXPECT_EQ(lacking.exit_code, 3);
-    EXPECT_EQ(lacking.err,
-              "wavecurve: not measured, for the machine failed: coupled-dense at 0.01 (filter db4, "
-              "4096 samples, shape star): out of memory, and 9 more points\n");
+    EXPECT_TRUE(lacking.err.starts_with("wavecurve: not measured, for the machine failed: "))
+        << lacking.err;
+    EXPECT_NE(lacking.err.find(": out of memory, and "), std::string::npos) << lacking.err;
+    EXPECT_EQ(std::ranges::count(lacking.err, '\n'), 1) << lacking.err;
     const std::string journal = io::read_file(folder_ / "study" / "compare.points.jsonl");
-    EXPECT_TRUE(journal.starts_with("{\"solver\":\"decoupled\"")) << journal;
-    EXPECT_EQ(std::ranges::count(journal, '\n'), 1);
+    EXPECT_EQ(journal.find("coupled-dense"), std::string::npos) << journal;
+    EXPECT_EQ(journal.find("failed"), std::string::npos) << journal;
   }
 }
 
@@ -168,14 +169,13 @@ TEST_F(CompareCommand, NamesAlteredLinesAndLeavesAloneWhatIsNoJournal) {
   std::string journal = io::read_file(file);
   journal.replace(journal.find("\"displacement_l2_max\":1"), 23, "\"displacement_l2_max\":2");
   io::write_file(file, journal);
-  const std::string page = io::read_file(folder_ / "study" / "compare.csv");
+  const auto before = without_times(folder_ / "study" / "compare.json");
   const ProgramRun again = wavecurve(arguments);
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_EQ(again.err,
             "wavecurve: study/compare.points.jsonl: line 1 altered, or no point of this "
             "version; measured anew\n");
-  const auto error_of = [](const std::string& csv) { return csv.substr(0, csv.find("e+")); };
-  EXPECT_EQ(error_of(io::read_file(folder_ / "study" / "compare.csv")), error_of(page));
+  EXPECT_EQ(without_times(folder_ / "study" / "compare.json"), before);
   io::write_file(file, "a letter\n");
   const ProgramRun refused = wavecurve(arguments);
   EXPECT_EQ(refused.exit_code, 2);
