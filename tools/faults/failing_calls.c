@@ -4,6 +4,7 @@
  *   FAULT_AT       which call of the kind fails, 1 the first; 0 none
  *   FAULT_ERROR    errno of the failure
  *   FAULT_PROGRAM  only in programs of this name; the programs that they start go untouched
+ *   FAULT_NO_EXCHANGE  if set, renameat2 knows no RENAME_EXCHANGE, as on some file systems
  *   FAULT_COUNTS   file that gets a line "KIND COUNT" for each kind when the program ends
  *
  * "short" is a write of half of the bytes. What the C library does within itself is not seen.
@@ -116,6 +117,10 @@ int renameat(int from_folder, const char* from, int to_folder, const char* to) {
   return NEXT(renameat)(from_folder, from, to_folder, to);
 }
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
+  if (armed && getenv("FAULT_NO_EXCHANGE") && (flags & RENAME_EXCHANGE)) {
+    errno = EINVAL;
+    return -1;
+  }
   FAIL(k_rename, -1)
   return NEXT(renameat2)(from_folder, from, to_folder, to, flags);
 }

@@ -184,17 +184,17 @@ class Sweep:
         self.rows[command.name, failure.split()[0], "broken" if problems else outcome] += 1
         self.broken += [f"{command.name}, {failure}: {problem}" for problem in problems]
 
-    def one_call(self, command, template, call, number, program):
+    def one_call(self, command, template, call, number, program, more):
         folder = self.copy(template[0])
         result = self.run(command.newer, folder, FAULT_CALL=call, FAULT_AT=number, FAULT_ERROR=ERRORS[call],
-                          FAULT_PROGRAM=program)
+                          FAULT_PROGRAM=program, **more)
         where = call if program == "wavecurve" else f"{program}:{call}"
         self.judge(command, f"{where} {number}", folder, template[1:], result)
         shutil.rmtree(folder.parent)
 
-    def one_signal(self, command, template, number, seconds):
+    def one_signal(self, command, template, number, seconds, more):
         folder = self.copy(template[0])
-        process = self.start(command.newer, folder)
+        process = self.start(command.newer, folder, **more)
         try:
             time.sleep(seconds)
             process.send_signal(number)
@@ -217,15 +217,21 @@ class Sweep:
     def jobs(self, command):
         """All runs of a command, to be called in any order."""
         template = self.template(command)
+        yield from self.faults_and_signals(command, template)
+        if command.name == "morph .png":
+            yield from self.faults_and_signals(command, template, FAULT_NO_EXCHANGE=1)
+        yield lambda: self.two_at_once(command, template)
+
+    def faults_and_signals(self, command, template, **more):
         programs = ["wavecurve"] + (["ffmpeg"] if command.name in ("morph .gif", "morph .mp4") else [])
         for program in programs:
-            for call, count in self.counts(command, template[0], program).items():
+            for call, count in self.counts(command, template[0], program, more).items():
                 if program != "wavecurve" and call not in ("write", "short", "read"):
                     continue
                 # ffmpeg reads its frames in many calls; one like the other.
                 step = 1 if program == "wavecurve" else max(1, count // 8)
                 for number in range(1, count + 1, step):
-                    yield lambda p=program, c=call, n=number: self.one_call(command, template, c, n, p)
+                    yield lambda p=program, c=call, n=number: self.one_call(command, template, c, n, p, more)
         start = time.monotonic()
         timed = self.copy(template[0])
         self.must_run(command.newer, timed)
@@ -235,13 +241,13 @@ class Sweep:
             # Not before the program has begun to listen.
             for step in range(5):
                 seconds = 0.03 + duration * step / 5
-                yield lambda n=number, s=seconds: self.one_signal(command, template, n, s)
-        yield lambda: self.two_at_once(command, template)
+                yield lambda n=number, s=seconds: self.one_signal(command, template, n, s, more)
 
-    def counts(self, command, template, program):
+    def counts(self, command, template, program, more):
         folder = self.copy(template)
         counts = collections.Counter()
-        self.run(command.newer, folder, FAULT_AT=0, FAULT_PROGRAM=program, FAULT_COUNTS=folder.parent / "counts")
+        self.run(command.newer, folder, FAULT_AT=0, FAULT_PROGRAM=program, FAULT_COUNTS=folder.parent / "counts",
+                 **more)
         for line in (folder.parent / "counts").read_text().splitlines():
             call, count = line.split()
             counts[call] = max(counts[call], int(count))
@@ -312,14 +318,14 @@ def main():
     parser.add_argument("--library", required=True, type=os.path.abspath)
     parser.add_argument("--source", required=True, type=os.path.abspath)
     parser.add_argument("--sample", type=int, default=1)
-    parser.add_argument("--only", help="commands whose name holds this text")
+    parser.add_argument("--only", default="", help="commands whose name matches this regular expression")
     parser.add_argument("--output", type=pathlib.Path)
     options = parser.parse_args()
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="wavecurve-faults-") as folder:
         sweep = Sweep(options, pathlib.Path(folder))
         chosen = [command for command in commands(options.source + "/docs/examples")
-                  if (options.only or "") in command.name]
+                  if re.search(options.only, command.name)]
         jobs = [job for command in chosen for job in sweep.jobs(command)]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for done in [pool.submit(job) for job in jobs[::options.sample]]:

@@ -14,6 +14,7 @@
 #include "wavecurve/io/files/detail/folder_lock.hpp"
 #include "wavecurve/io/files/detail/output_path.hpp"
 #include "wavecurve/io/files/detail/temporary.hpp"
+#include "wavecurve/io/files/detail/unfinished.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::io {
@@ -62,6 +63,7 @@ void recover(const fs::path& folder) {
 
 void replace_in_two_steps(Temporary& frames, const fs::path& folder) {
   const fs::path aside = put_aside(folder);
+  const Unfinished both_renames_or_none;
   fs::rename(folder, aside);
   try {
     frames.keep();

@@ -13,7 +13,7 @@ namespace wavecurve::io {
 namespace {
 
 struct Registered {
-  std::mutex mutex;
+  std::recursive_mutex mutex;
   std::set<std::filesystem::path> temporaries;
   std::set<pid_t> children;
 };

@@ -7,8 +7,8 @@
 namespace wavecurve::io {
 
 /// The temporary files and folders and the child processes of this program: what must not outlive
-/// it. Whoever makes one, or finishes it, holds an object of this class meanwhile, of which there is
-/// one at a time. So a program that is told to end takes the object, calls abandon(), and ends with
+/// it. Whoever makes one, or finishes it, holds an object of this class meanwhile, and one thread at
+/// a time does. So a program that is told to end takes the object, calls abandon(), and ends with
 /// it in its hand: nothing is half made then, and nothing is made any more.
 class Unfinished {
  public:
@@ -27,7 +27,7 @@ class Unfinished {
   void abandon();
 
  private:
-  std::unique_lock<std::mutex> lock_;
+  std::unique_lock<std::recursive_mutex> lock_;
 };
 
 }  // namespace wavecurve::io
