@@ -9,6 +9,7 @@
 #include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
+#include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 namespace wavecurve::reports {
@@ -97,6 +98,11 @@ void draw_chart(const Chart& chart, const fs::path& directory) {
   if (run.exit_code != 0 || !fs::exists(picture)) {
     throw std::runtime_error("gnuplot failed on " + (directory / script).string() + ": " +
                              first_complaint(run.err, script));
+  }
+  // It does not notice a full disk.
+  if (io::read_file(picture).find("</svg>") == std::string::npos) {
+    throw std::runtime_error("cannot write " + picture.string() +
+                             ": gnuplot did not write it to its end");
   }
 }
 

@@ -102,6 +102,24 @@ TEST_F(Gnuplot, AMissingProgramIsNamedWithItsPackage) {
   setenv("PATH", path.c_str(), 1);
 }
 
+/// As after a disk that is full, which gnuplot does not notice.
+TEST_F(Gnuplot, APictureThatIsNotWholeIsRefused) {
+  const std::string path = std::getenv("PATH");
+  const fs::path bin = directory / "bin";
+  fs::create_directory(bin);
+  io::write_file(bin / "gnuplot", "#!/bin/sh\nexport PATH='" + path +
+                                      "'\ngnuplot \"$@\"; truncate -s 2000 decay.svg\n");
+  fs::permissions(bin / "gnuplot", fs::perms::owner_all);
+  setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
+  try {
+    draw_chart(chart, directory);
+    ADD_FAILURE() << "half a picture";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("decay.svg"), std::string::npos) << error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(Gnuplot, ADirectoryThatIsNotThereIsNamed) {
   EXPECT_THROW(draw_chart(chart, directory / "none"), std::system_error);
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "tools/commands/terminal.hpp"
+#include "tools/ending.hpp"
 
 namespace wavecurve::tools {
 
@@ -17,6 +18,12 @@ namespace {
 int complain(std::string_view message, ExitCode code) {
   print_message(message);
   return code;
+}
+
+/// The exit code of a program whose output cannot be written.
+int cannot_print() {
+  if (is_output_pipe_broken()) die_of_broken_pipe();
+  return complain("cannot write to the standard output", environment_failed);
 }
 
 /// The exit code that the commands leave, or that of help and version.
@@ -33,21 +40,21 @@ int run(int argc, char** argv, DefineCommands define) {
   define(app, exit_code);
   const int code = parse(app, argc, argv, exit_code);
   std::cout.flush();
-  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return complain("cannot write to the standard output", environment_failed);
-  }
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return cannot_print();
   return code;
 }
 
 }  // namespace
 
 int run_main(int argc, char** argv, DefineCommands define) {
+  prepare_for_ending();
   try {
     return run(argc, argv, define);
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + " (wavecurve --help lists the commands)",
                     bad_input);
   } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return cannot_print();
     return complain(error.what(), environment_failed);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), bad_input);

@@ -33,6 +33,27 @@ TEST_F(ExitCodes, OfWhatIsNoInput) {
   }
 }
 
+TEST_F(ExitCodes, OfACircleOfLinksAndOfANameThatIsTooLong) {
+  for (const char* name : {"loop.json", "loop.csv", "loop.svg", "loop.csv.gz"}) {
+    std::filesystem::create_symlink(name, folder_ / name);
+  }
+  for (const char* command :
+       {"filter loop.json", "coefficients loop.json", "check loop.csv", "stiffness loop.json",
+        "morph loop.svg a.svg -o b.svg", "morph loop.csv a.svg -o b.svg", "describe loop.svg",
+        "reconstruct loop.json -o b.svg", "compare --filter loop.json", "compare --shape loop.svg",
+        "gait fit loop.csv -o b.json", "gait fit loop.csv.gz -o b.json", "gait show loop.json",
+        "gait synthesize loop.json a.svg -o b.svg", "bench compare loop.json loop.json",
+        "bench check loop"}) {
+    expect_refusal(command, "wavecurve: ");
+  }
+  const std::string name(300, 'n');
+  for (const std::string& command :
+       {"filter " + name + ".json", "check " + name + ".csv", "describe " + name + ".svg",
+        "gait fit " + name + ".csv -o b.json", "bench check " + name}) {
+    expect_refusal(command, "wavecurve: ");
+  }
+}
+
 TEST_F(ExitCodes, OfWhatIsNoCommandLine) {
   for (const char* command : {"",
                               "filter",

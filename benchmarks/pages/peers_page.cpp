@@ -7,6 +7,7 @@
 
 #include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
+#include "wavecurve/io/files/detail/temporary.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "benchmarks/pages/peers.hpp"
@@ -103,13 +104,13 @@ Table losses(const std::vector<PeerResult>& results) {
 
 /// Worst tap of each family, by table.
 Table digits_table(const Build& build, const fs::path& root) {
-  const fs::path file = fs::temp_directory_path() / "wavecurve_pywavelets.json";
+  const io::Temporary folder(fs::temp_directory_path() / "peers", io::Temporary::Kind::folder);
+  const fs::path file = folder.path() / "pywavelets.json";
   io::write_file(file,
                  io::output_of({"/usr/bin/python3",
                                 (root / "lib/wavecurve/filters/pywavelets_tables.py").string()}));
   const Json digits = io::parse_ordered_json(
       io::output_of({(build.programs / "filter_digits").string(), file.string()}));
-  fs::remove(file);
   Table table{
       "The worst tap of each family in units in the last place of a double, against "
       "enclosures of 128 bits; at most 0.5 is correctly rounded",

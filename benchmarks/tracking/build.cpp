@@ -33,7 +33,8 @@ Json ask(const Build& build, const std::string& question) {
 
 Build build_in(const fs::path& folder) {
   for (const fs::path& place : {folder, folder / "bin"}) {
-    if (!fs::is_directory(place)) continue;
+    std::error_code ignored;
+    if (!fs::is_directory(place, ignored)) continue;
     const fs::path absolute = fs::canonical(place);
     Build build{folder.string(), absolute, {{"commit", "build"}}};
     if (!build.all_programs().empty()) return build;

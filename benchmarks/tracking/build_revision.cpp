@@ -35,7 +35,8 @@ std::string git(const fs::path& root, std::vector<std::string> arguments,
 /// One at a time: the worktree serves all.
 class Lock {
  public:
-  explicit Lock(const fs::path& path) : descriptor_(::open(path.c_str(), O_CREAT | O_RDWR, 0666)) {
+  explicit Lock(const fs::path& path)
+      : descriptor_(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX) != 0) {
       throw std::system_error(errno, std::generic_category(), "cannot lock " + path.string());
     }

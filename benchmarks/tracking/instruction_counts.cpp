@@ -1,14 +1,13 @@
 #include "benchmarks/tracking/instruction_counts.hpp"
 
-#include <cstdlib>
 #include <future>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "wavecurve/io/files/detail/run_program.hpp"
+#include "wavecurve/io/files/detail/temporary.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 #include "benchmarks/tracking/bootstrap.hpp"
@@ -18,28 +17,6 @@ namespace wavecurve::tracking {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "wavecurve_counts.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// The "totals:" of each part; events in the order Ir Dr Dw, the first three of the simulator.
 std::vector<Counts> read_totals(const std::string& text) {
@@ -59,7 +36,7 @@ std::vector<Counts> read_totals(const std::string& text) {
 }
 
 std::vector<Counts> count_once(const fs::path& program, const std::vector<CountedKernel>& kernels) {
-  const TemporaryFolder folder;
+  const io::Temporary folder(fs::temp_directory_path() / "counts", io::Temporary::Kind::folder);
   std::vector<std::string> command{"valgrind",
                                    "--tool=callgrind",
                                    "--cache-sim=yes",

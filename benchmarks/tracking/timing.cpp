@@ -5,13 +5,13 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "wavecurve/io/files/detail/json_place.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 #include "wavecurve/io/files/detail/run_program.hpp"
+#include "wavecurve/io/files/detail/temporary.hpp"
 #include "wavecurve/io/files/read_file.hpp"
 
 namespace wavecurve::tracking {
@@ -38,19 +38,14 @@ constexpr int longest = 20;
 /// names the program, not its folder: the text is kept in records, which know no machine's paths.
 Json run_with_output(const fs::path& program, std::vector<std::string> arguments) {
   const std::string name = program.filename().string();
-  std::string file = (fs::temp_directory_path() / "wavecurve_benchmark.XXXXXX").string();
-  const int descriptor = ::mkstemp(file.data());
-  if (descriptor < 0)
-    throw std::system_error(errno, std::generic_category(), "cannot make " + file);
-  ::close(descriptor);
+  const io::Temporary file(fs::temp_directory_path() / "times", io::Temporary::Kind::file);
   arguments.insert(arguments.begin(), {"timeout", std::to_string(longest), program.string()});
-  arguments.push_back("--benchmark_out=" + file);
+  arguments.push_back("--benchmark_out=" + file.path().string());
   arguments.emplace_back("--benchmark_out_format=json");
   const io::ProgramRun run = io::run_program(arguments);
   // The spread of a counter that is always 0 is written as NaN, which JSON does not have.
   static const std::regex no_number(": -?(nan|inf)[a-z]*", std::regex::icase);
-  const std::string text = std::regex_replace(io::read_file(file), no_number, ": null");
-  fs::remove(file);
+  const std::string text = std::regex_replace(io::read_file(file.path()), no_number, ": null");
   if (run.exit_code == 124) {
     throw std::runtime_error(fmt::format("{} took more than {} s", name, longest));
   }

@@ -32,10 +32,11 @@ void stop_saying() { say(""); }
 /// A record, a folder with programs, or a revision; "." is the working tree.
 Side side_of(const std::string& name, Programs programs) {
   const fs::path path = name;
-  if (path.extension() == ".json" && fs::is_regular_file(path)) {
+  std::error_code ignored;  // a path that leads nowhere is a name
+  if (path.extension() == ".json" && fs::is_regular_file(path, ignored)) {
     return {name, {}, read_record(path)};
   }
-  if (name != "." && fs::is_directory(path)) return {name, build_in(path), {}};
+  if (name != "." && fs::is_directory(path, ignored)) return {name, build_in(path), {}};
   say("building " + (name == "." ? "the working tree" : name));
   Build build = build_revision(clone(), name == "." ? "" : name, programs);
   return {build.name + " (" + build.revision.at("commit").get<std::string>().substr(0, 10) + ")",

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/characters.hpp"
+#include "wavecurve/io/files/detail/output_folder.hpp"
 
 #include "benchmarks/pages/history_page.hpp"
 #include "benchmarks/pages/peers_page.hpp"
@@ -25,7 +26,9 @@ using namespace tracking;
 /// Writes NAME.html, and says so.
 void write(const reports::Page& page, const fs::path& given, const std::string& name) {
   const fs::path folder = given_or_of_clone(given, "reports/latest");
-  reports::write_page(page, folder, name);
+  io::OutputFolder output(folder);
+  reports::write_page(page, output.staging(), name);
+  output.publish();
   fmt::print("page: {}\n", printable((folder / (name + ".html")).string()));
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/detail/characters.hpp"
+#include "wavecurve/io/files/detail/output_folder.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
 #include "reports/write_study.hpp"
@@ -91,18 +91,13 @@ std::vector<StudyPoint> points_of(const CompareOptions& options) {
   std::optional<StudyJournal> journal;
   if (!options.directory.empty()) {
     journal.emplace(std::filesystem::path(options.directory) / "compare.points.jsonl");
+    for (const std::string& warning : journal->warnings()) print_message(warning);
     hooks.known = journal->points();
     hooks.finished = [&](const StudyPoint& point) { journal->append(point); };
   }
   Progress progress("points");
   hooks.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
   return run_study(plan_of(options), hooks);
-}
-
-void make_folder(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw std::system_error(error, "cannot make the folder " + directory.string());
 }
 
 /// The tables, then what those of several settings come to.
@@ -119,13 +114,15 @@ std::string study_as_text(const std::vector<StudyPoint>& points, const StudySumm
 void compare_solvers(const CompareOptions& given) {
   const CompareOptions options = completed(given);
   const std::filesystem::path directory = options.directory;
-  if (!directory.empty()) make_folder(directory);
+  std::optional<io::OutputFolder> output;
+  if (!directory.empty()) output.emplace(directory);
   const std::vector<StudyPoint> points = points_of(options);
   const StudySummary summary = summarize(points);
-  if (!directory.empty()) {
-    io::write_file(directory / "compare.json", to_json(points, summary));
-    io::write_file(directory / "compare.csv", study_csv(points));
-    reports::write_study(points, summary, directory);
+  if (output) {
+    io::write_file(output->staging() / "compare.json", to_json(points, summary));
+    io::write_file(output->staging() / "compare.csv", study_csv(points));
+    reports::write_study(points, summary, output->staging());
+    output->publish();
   }
   const std::string text = options.format == "json"  ? to_json(points, summary)
                            : options.format == "csv" ? study_csv(points)

@@ -19,13 +19,16 @@ void Progress::show(std::size_t done, std::size_t all) {
   if (!is_terminal_ || all == 0) return;
   constexpr std::size_t width = 40;
   const std::size_t full = width * done / all;
-  fmt::print(stderr, "\r{} [{:#<{}}{: <{}}] {}/{}", label_, "", full, "", width - full, done, all);
-  std::fflush(stderr);
+  tell(fmt::format("\r{} [{:#<{}}{: <{}}] {}/{}", label_, "", full, "", width - full, done, all));
 }
 
 void say(const std::string& what) {
   if (::isatty(STDERR_FILENO) != 1) return;
-  fmt::print(stderr, "\r\033[K{}", what);
+  tell("\r\033[K" + what);
+}
+
+void tell(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -24,4 +24,7 @@ class Progress {
 /// stream is a terminal.
 void say(const std::string& what);
 
+/// Writes to the error stream, as it is. If that cannot be written the work goes on all the same.
+void tell(const std::string& text);
+
 }  // namespace wavecurve::tools

@@ -13,10 +13,12 @@
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/characters.hpp"
+#include "wavecurve/io/files/detail/output_folder.hpp"
 
 #include "reports/terminal_table.hpp"
 #include "reports/write_report.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/progress.hpp"
 #include "tools/commands/terminal.hpp"
 #include "verification/suite/claim.hpp"
 #include "verification/suite/data_folder.hpp"
@@ -80,9 +82,8 @@ void list_claims() {
 }
 
 void show_progress(std::size_t finished, std::size_t total, const Claim& claim) {
-  fmt::print(stderr, "\r\033[K{} of {} claims: {}", finished, total, claim.id);
-  if (finished == total) fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  tell(fmt::format("\r\033[K{} of {} claims: {}", finished, total, claim.id));
+  if (finished == total) tell("\r\033[K");
 }
 
 /// The columns of the terminal, or 0 where the output is a file or a pipe.
@@ -122,13 +123,14 @@ void verify(const VerifyOptions& given, ExitCode& exit_code) {
   const auto reference =
       options.bless ? std::vector<BlessedClaim>() : read_reference(options.reference);
   // Made before the work is done, so that a place that cannot be written is known at once.
-  fs::create_directories(options.output);
+  io::OutputFolder output(options.output);
   const std::string date = reports::date_of_report();
 
   const bool watched = isatty(STDERR_FILENO) != 0;
   const auto results = run_claims(
       chosen, watched ? verification::Progress(show_progress) : verification::Progress());
-  reports::write_report({{}, date, WAVECURVE_VERSION, results}, options.output);
+  reports::write_report({{}, date, WAVECURVE_VERSION, results}, output.staging());
+  output.publish();
   fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
              printable((options.output / "index.html").string()));
 

@@ -6,7 +6,9 @@
 #include <ctime>
 #include <exception>
 #include <limits>
+#include <new>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -124,8 +126,9 @@ void measure(StudyPoint& point, const Ground& ground, const dynamics::Trajectory
   if (!point.tolerance) point.model_errors.assign(displacement.begin(), displacement.end());
 }
 
-/// Fills in what the solver, the tolerance and the ground determine.
-void solve(StudyPoint& point, const Ground& ground) {
+/// Fills in what the solver, the tolerance and the ground determine. What the machine lacked is no
+/// result: that is returned, empty if nothing was lacking.
+std::string solve(StudyPoint& point, const Ground& ground) {
   try {
     // What the point calls its tolerance is the step size of a solver that takes one.
     const dynamics::Solver solver =
@@ -135,8 +138,14 @@ void solve(StudyPoint& point, const Ground& ground) {
     measure(point, ground, run.trajectory);
     point.cost = run.trajectory.cost;
     point.seconds = run.seconds;
+    return {};
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::system_error& error) {
+    return error.what();
   } catch (const std::exception& error) {
     point.failure = error.what();
+    return {};
   }
 }
 
@@ -173,17 +182,34 @@ Work prepared(const StudyPlan& plan, const std::vector<StudyPoint>& known) {
   return work;
 }
 
-/// On all cores. What a hook throws leaves the other threads without work, and is thrown again.
+[[noreturn]] void fail_for_lack(const StudyPoint& first, const std::string& what,
+                                std::size_t count) {
+  const std::string at = first.tolerance ? fmt::format(" at {}", *first.tolerance) : "";
+  const std::string others = count > 1 ? fmt::format(", and {} more points", count - 1) : "";
+  throw std::runtime_error(fmt::format(
+      "not measured, for the machine failed: {}{} (filter {}, {} samples, shape {}): {}{}",
+      first.solver, at, first.setting.filter, first.setting.samples, first.setting.shape, what,
+      others));
+}
+
+/// On all cores. What a hook throws leaves the other threads without work, and is thrown again; a
+/// point that the machine could not do is told at the end.
 void compute(Work& work, const StudyHooks& hooks) {
-  std::size_t done = work.points.size() - work.open.size();
+  std::size_t done = work.points.size() - work.open.size(), lacking = 0;
+  std::vector<std::string> lacks(work.open.size());
   const auto solve_one = [&](std::size_t i) {
     const std::size_t point = work.open[i];
-    solve(work.points[point], work.grounds[work.ground_of_point[point]]);
+    lacks[i] = solve(work.points[point], work.grounds[work.ground_of_point[point]]);
   };
   on_all_cores(work.open.size(), solve_one, [&](std::size_t i) {
-    if (hooks.finished) hooks.finished(work.points[work.open[i]]);
+    if (!lacks[i].empty()) ++lacking;
+    if (lacks[i].empty() && hooks.finished) hooks.finished(work.points[work.open[i]]);
     if (hooks.progress) hooks.progress(++done, work.points.size());
   });
+  if (lacking == 0) return;
+  const auto first = std::ranges::find_if(lacks, [](const auto& lack) { return !lack.empty(); });
+  const std::size_t place = static_cast<std::size_t>(first - lacks.begin());
+  fail_for_lack(work.points[work.open[place]], *first, lacking);
 }
 
 }  // namespace

@@ -73,9 +73,11 @@ struct StudyHooks {
 };
 
 /// All points, setting by setting, solver by solver, from coarse to fine, computed on all cores.
-/// What a solver throws becomes its point's failure. Throws std::invalid_argument for an unknown
-/// solver, filter or shape, sizes that do not fit, or a shape that is the circle, before anything
-/// is computed; what a hook throws ends the run.
+/// What a solver throws becomes its point's failure, unless the machine lacked something
+/// (std::bad_alloc, std::system_error): such a point is not finished, all others are, and then
+/// std::runtime_error names it. Throws std::invalid_argument for an unknown solver, filter or shape,
+/// sizes that do not fit, or a shape that is the circle, before anything is computed; what a hook
+/// throws ends the run.
 std::vector<StudyPoint> run_study(const StudyPlan& plan, const StudyHooks& hooks = {});
 
 }  // namespace wavecurve::verification

@@ -62,6 +62,25 @@ TEST_F(Files, AWriteThroughALinkKeepsTheLink) {
   EXPECT_EQ(read_file(folder_ / "target"), "new");
 }
 
+TEST_F(Files, ALinkToNothingIsCreatedThrough) {
+  fs::create_directory(folder_ / "there");
+  fs::create_symlink("there/file", folder_ / "inner");
+  fs::create_symlink(folder_ / "inner", folder_ / "outer");
+  write_file(folder_ / "outer", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "outer"));
+  EXPECT_EQ(read_file(folder_ / "there" / "file"), "new");
+  fs::create_symlink("nowhere/file", folder_ / "lost");
+  EXPECT_THROW(write_file(folder_ / "lost", "x"), std::system_error);
+}
+
+TEST_F(Files, ACircleOfLinksIsBadInputAndNoOutput) {
+  fs::create_symlink("b", folder_ / "a");
+  fs::create_symlink("a", folder_ / "b");
+  EXPECT_THROW(read_file(folder_ / "a"), std::invalid_argument);
+  EXPECT_THROW(write_file(folder_ / "a", "x"), std::system_error);
+  EXPECT_THROW(read_file(folder_ / std::string(300, 'n')), std::invalid_argument);
+}
+
 TEST_F(Files, ReadNamesWhatItCannotRead) {
   EXPECT_THROW(read_file(folder_ / "nothing"), std::invalid_argument);
   EXPECT_THROW(read_file(folder_), std::invalid_argument);

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "wavecurve/io/files/detail/cannot_open.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -19,11 +21,13 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
     throw std::invalid_argument("cannot read " + path.string() + ": " + reason);
   };
   const std::string too_large = "it is larger than " + std::to_string(most) + " bytes";
-  if (std::filesystem::is_directory(path)) refuse("it is a directory");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse("it is a directory");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(std::generic_category().message(errno));
-  if (std::filesystem::is_regular_file(path) && std::filesystem::file_size(path) > most) {
+  if (!file) cannot_open(path, errno);
+  if (std::filesystem::is_regular_file(path, ignored) &&
+      std::filesystem::file_size(path, ignored) > most) {
     refuse(too_large);
   }
   std::string bytes;

@@ -6,8 +6,9 @@
 namespace wavecurve::io {
 
 /// Writes a file whole or not at all: to a temporary name beside the target, flushed, synced, then
-/// renamed, so that a failure leaves an older file as it was. A target that is no regular file (a
-/// pipe, /dev/stdout) is written directly. Throws std::system_error naming the path.
+/// renamed, so that a failure leaves an older file as it was. A link is followed, to a file that is
+/// not there yet too. A target that is no regular file (a pipe, /dev/stdout) is written directly.
+/// Throws std::system_error naming the path.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace wavecurve::io

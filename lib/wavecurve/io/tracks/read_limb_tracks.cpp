@@ -107,7 +107,8 @@ void add_frame(gait::LimbTracks& tracks, const Path& path, const TrackOptions& o
 }
 
 TrackTable read_frames(const std::vector<Path>& paths, const TrackOptions& options) {
-  const bool folder = paths.size() == 1 && std::filesystem::is_directory(paths[0]);
+  std::error_code ignored;
+  const bool folder = paths.size() == 1 && std::filesystem::is_directory(paths[0], ignored);
   const std::vector<Path> frames = folder ? frames_in(paths[0]) : paths;
   if (frames.size() < 2) {
     throw std::invalid_argument(fmt::format("{}: {} SVG frame{}; at least 2 are needed",
@@ -162,7 +163,8 @@ gait::LimbTracks read_limb_tracks(const std::vector<Path>& paths, const TrackOpt
   const auto refuse = [&](std::string_view defect) {
     throw std::invalid_argument(fmt::format("{}: {}", paths[0].string(), defect));
   };
-  if (!std::filesystem::exists(paths[0])) refuse("there is no such file or folder");
+  std::error_code ignored;  // a circle of links leads to no file either
+  if (!std::filesystem::exists(paths[0], ignored)) refuse("there is no such file or folder");
   const bool is_table = has_ending(paths[0], ".csv") || has_ending(paths[0], ".csv.gz");
   if (is_table && paths.size() > 1) refuse("a table holds all frames; give no other file with it");
   TrackTable table = is_table ? read_table(paths[0], options) : read_frames(paths, options);

@@ -7,9 +7,12 @@
 
 namespace wavecurve::io {
 
-/// Writes a folder of transparent images frame-0001.png, frame-0002.png, ... It is made beside and
-/// renamed, whole or not at all; a folder of the same name is replaced if there are only such
-/// images in it. Throws std::system_error naming the path, and as render_frames does.
+/// Writes a folder of transparent images frame-0001.png, frame-0002.png, ... It is made beside, and
+/// then changes places with a folder of that name, if only plain files of such names are in that:
+/// the frames are the old or the new ones at every moment, and a link to a folder stays a link.
+/// Where the file system has no exchange, the old folder is called FOLDER.wavecurve-old in between,
+/// and a run that finds one of this name with no FOLDER puts it back first. One run at a time.
+/// Throws std::system_error naming the path, and as render_frames does.
 void write_frames(const std::filesystem::path& folder, const motion::Animation& animation,
                   const OutputOptions& options = {});
 

@@ -1,16 +1,12 @@
 #include "wavecurve/io/animations/detail/write_video.hpp"
 
+#include <algorithm>
 #include <cerrno>
-#include <csignal>
-#include <cstdlib>
 #include <fcntl.h>
-#include <limits>
-#include <spawn.h>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <sys/socket.h>
-#include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -18,11 +14,10 @@
 #include <fmt/format.h>
 
 #include "wavecurve/io/animations/detail/render_frames.hpp"
-#include "wavecurve/io/files/read_file.hpp"
-#include "wavecurve/io/files/write_file.hpp"
+#include "wavecurve/io/files/detail/child_process.hpp"
+#include "wavecurve/io/files/detail/output_path.hpp"
+#include "wavecurve/io/files/detail/temporary.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
-
-extern char** environ;
 
 namespace wavecurve::io {
 
@@ -34,88 +29,8 @@ namespace fs = std::filesystem;
   throw std::system_error(error, std::generic_category(), message);
 }
 
-/// A folder for the program's files, gone when this is.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : name_((fs::temp_directory_path() / "wavecurve-video-XXXXXX").string()) {
-    if (::mkdtemp(name_.data()) == nullptr)
-      cannot_write_video(errno, "cannot make a folder " + name_);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(name_, ignored);
-  }
-  fs::path operator/(const char* name) const { return fs::path(name_) / name; }
-
- private:
-  std::string name_;
-};
-
-/// A running ffmpeg that reads its input from us. A socket instead of a pipe, for writing to one
-/// whose reader has died can be told not to raise a signal.
-class Ffmpeg {
- public:
-  Ffmpeg(std::vector<std::string> arguments, const fs::path& complaints) {
-    int ends[2];
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-      cannot_write_video(errno, "cannot make a socket for ffmpeg");
-    }
-    input_ = ends[0];
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, complaints.c_str(),
-                                       O_WRONLY | O_CREAT, 0600);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    const int error = ::posix_spawnp(&process_, argv[0], &actions, nullptr, argv.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::close(ends[1]);
-    if (error != 0) {
-      ::close(input_);
-      cannot_write_video(error, "cannot run ffmpeg, which .gif, .mp4 and .webm need");
-    }
-  }
-  Ffmpeg(const Ffmpeg&) = delete;
-  Ffmpeg& operator=(const Ffmpeg&) = delete;
-  /// Without finish(), what is under way is given up.
-  ~Ffmpeg() {
-    if (process_ <= 0) return;
-    ::kill(process_, SIGKILL);
-    finish();
-  }
-
-  /// False if the program reads no more.
-  bool write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-      if (sent < 0 && errno == EINTR) continue;
-      if (sent < 0) return false;
-      bytes.remove_prefix(static_cast<std::size_t>(sent));
-    }
-    return true;
-  }
-
-  /// Ends the input and waits. True if all went well.
-  bool finish() {
-    ::close(input_);
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = 0;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  }
-
- private:
-  pid_t process_ = 0;
-  int input_ = -1;
-};
-
-/// What ffmpeg is to do with the frames; repeatable to the byte.
+/// What ffmpeg is to do with the frames; repeatable to the byte, for it divides the work among
+/// threads nowhere.
 std::vector<std::string> encoding(const std::string& ending, const OutputOptions& options) {
   if (ending == ".gif") {
     return {"-vf",   "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none",
@@ -146,9 +61,106 @@ std::string over_background(const Raster& raster, const Colour& background) {
   return rgb;
 }
 
-std::string first_line(const fs::path& file) {
-  const std::string text = read_file(file);
-  return text.substr(0, text.find('\n'));
+std::vector<std::string> encoder(const std::string& ending, RasterSize size, double rate,
+                                 const OutputOptions& options) {
+  std::vector<std::string> words{"ffmpeg",
+                                 "-nostdin",
+                                 "-y",
+                                 "-loglevel",
+                                 "error",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pix_fmt",
+                                 "rgb24",
+                                 "-video_size",
+                                 fmt::format("{}x{}", size.width, size.height),
+                                 "-framerate",
+                                 fmt::format("{:.6f}", rate),
+                                 "-i",
+                                 "pipe:0",
+                                 "-threads",
+                                 "1",
+                                 "-filter_threads",
+                                 "1",
+                                 "-fflags",
+                                 "+bitexact",
+                                 "-flags:v",
+                                 "+bitexact",
+                                 "-map_metadata",
+                                 "-1"};
+  for (std::string& word : encoding(ending, options)) words.push_back(std::move(word));
+  words.emplace_back("file:/dev/fd/3");
+  return words;
+}
+
+/// Of what a program says the first line that is not empty, cut off where it gets long.
+std::string first_complaint_of(const ChildProcess& program, int exit_code) {
+  constexpr std::size_t longest = 300;
+  const std::string& text = program.err();
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos) {
+    return exit_code < 0 ? "it was ended by a signal" : fmt::format("exit code {}", exit_code);
+  }
+  return text.substr(start, std::min(text.find_first_of("\r\n", start) - start, longest));
+}
+
+/// ffmpeg ends with exit code 0 after some failures to write, but never without a message.
+void finish(ChildProcess& program, const char* name, const fs::path& path) {
+  const int exit_code = program.finish();
+  if (exit_code == 0 && program.err().empty()) return;
+  cannot_write_video(EIO, fmt::format("cannot write {}: {} failed: {}", path.string(), name,
+                                      first_complaint_of(program, exit_code)));
+}
+
+void encode(const std::vector<std::string>& command, const fs::path& video,
+            const motion::Animation& animation, const OutputOptions& options,
+            const fs::path& path) {
+  // Opened anew: with our own descriptor ffmpeg would have the lock too, and might survive us.
+  const OpenFile file(::open(video.c_str(), O_RDWR | O_CLOEXEC));
+  if (!file.is_open()) cannot_write_video(errno, "cannot write " + path.string());
+  std::optional<ChildProcess> ffmpeg;
+  try {
+    ffmpeg.emplace(command, ChildSetting{.has_input = true, .file = &file});
+  } catch (const std::system_error& error) {
+    throw std::system_error(error.code(), "cannot run ffmpeg, which .gif, .mp4 and .webm need");
+  }
+  render_frames(animation, options, [&](const Raster& raster) {
+    if (ffmpeg->write(over_background(raster, options.background))) return;
+    finish(*ffmpeg, "ffmpeg", path);
+    cannot_write_video(EIO, "cannot write " + path.string() + ": ffmpeg does not read all frames");
+  });
+  finish(*ffmpeg, "ffmpeg", path);
+}
+
+/// Decodes the video, every frame of it.
+void check_video(const fs::path& video, int frames, const fs::path& path) try {
+  ChildProcess ffprobe(
+      {"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+       "stream=nb_read_frames", "-of", "csv=p=0",
+       "file:" + video.string()});  // a name may hold a colon, or begin with a dash
+  finish(ffprobe, "ffprobe", path);
+  const std::string count = ffprobe.out().substr(0, ffprobe.out().find_first_of(",\r\n"));
+  if (count == std::to_string(frames)) return;
+  cannot_write_video(EIO, fmt::format("cannot write {}: what ffmpeg wrote has {} frames, not {}",
+                                      path.string(), count.empty() ? "no" : count, frames));
+} catch (const std::system_error& error) {
+  if (error.code() != std::errc::no_such_file_or_directory) throw;
+  throw std::system_error(error.code(), "cannot run ffprobe (a part of ffmpeg)");
+}
+
+/// To a pipe or a device, which cannot be replaced.
+void copy_video(const Temporary& video, const fs::path& path) {
+  const OpenFile target(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!target.is_open()) cannot_write_video(errno, "cannot write " + path.string());
+  std::vector<char> part(std::size_t{1} << 20);
+  for (off_t place = 0;;) {
+    const ssize_t count = ::pread(video.descriptor(), part.data(), part.size(), place);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) cannot_write_video(errno, "cannot read the video");
+    if (count == 0) return;
+    write_all(target.number(), {part.data(), static_cast<std::size_t>(count)}, path.string());
+    place += count;
+  }
 }
 
 }  // namespace
@@ -157,41 +169,16 @@ void write_video(const fs::path& path, const motion::Animation& animation,
                  const OutputOptions& options) {
   motion::check_animation(animation);
   const RasterSize size = raster_size(animation.view_box, options.pixels);
-  const TemporaryFolder folder;
-  std::vector<std::string> arguments{
-      "ffmpeg",
-      "-nostdin",
-      "-loglevel",
-      "error",
-      "-f",
-      "rawvideo",
-      "-pix_fmt",
-      "rgb24",
-      "-video_size",
-      fmt::format("{}x{}", size.width, size.height),
-      "-framerate",
-      fmt::format("{:.6f}", (options.frames - 1) / animation.duration),
-      "-i",
-      "pipe:0",
-      "-fflags",
-      "+bitexact",
-      "-flags:v",
-      "+bitexact",
-      "-map_metadata",
-      "-1"};
-  for (const std::string& word : encoding(path.extension().string(), options)) {
-    arguments.push_back(word);
-  }
-  arguments.push_back((folder / "video").string());
-  Ffmpeg ffmpeg(arguments, folder / "complaints");
-  render_frames(animation, options, [&](const Raster& raster) {
-    // Its complaint is more telling than that it reads no more, and is looked at below.
-    ffmpeg.write(over_background(raster, options.background));
-  });
-  if (!ffmpeg.finish())
-    cannot_write_video(EIO, "ffmpeg failed: " + first_line(folder / "complaints"));
-  constexpr std::size_t as_it_is = std::numeric_limits<std::size_t>::max() - 1;
-  write_file(path, read_file(folder / "video", as_it_is));
+  const double rate = (options.frames - 1) / animation.duration;
+  // Nothing can be made beside a pipe or a device.
+  const bool special = is_special(path);
+  Temporary video(special ? fs::temp_directory_path() / "video" : output_path(path),
+                  Temporary::Kind::file);
+  encode(encoder(path.extension().string(), size, rate, options), video.path(), animation, options,
+         path);
+  check_video(video.path(), options.frames, path);
+  if (special) return copy_video(video, path);
+  video.keep();
 }
 
 }  // namespace wavecurve::io

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <zlib.h>
 
+#include "wavecurve/io/files/detail/cannot_open.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -23,10 +25,11 @@ std::string read_gzip(const std::filesystem::path& path, std::size_t bound) {
   const auto refuse = [&](const std::string& reason) {
     throw std::invalid_argument("cannot read " + path.string() + ": " + reason);
   };
-  if (std::filesystem::is_directory(path)) refuse("it is a directory");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse("it is a directory");
   errno = 0;
   const std::unique_ptr<gzFile_s, Close> file(gzopen(path.c_str(), "rb"));
-  if (!file) refuse(std::generic_category().message(errno));
+  if (!file) cannot_open(path, errno);
   std::string bytes;
   int got = 1;
   while (got > 0 && bytes.size() <= bound) {

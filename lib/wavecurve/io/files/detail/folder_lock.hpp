@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "wavecurve/io/files/detail/open_file.hpp"
+
+namespace wavecurve::io {
+
+/// Keeps a folder to one run at a time, from here on until this is gone (flock; nothing is left in
+/// the folder). A file system without locks locks nothing.
+class FolderLock {
+ public:
+  /// Throws std::system_error naming the folder if another run has it, or if it cannot be opened.
+  explicit FolderLock(const std::filesystem::path& folder);
+
+ private:
+  OpenFile descriptor_;
+};
+
+/// Locks what is open, in the same way; `path` is named in what is thrown.
+void lock_for_this_run(const OpenFile& descriptor, const std::filesystem::path& path);
+
+}  // namespace wavecurve::io
