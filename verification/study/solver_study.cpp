@@ -6,6 +6,7 @@
 #include <ctime>
 #include <exception>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -135,6 +136,8 @@ void solve(StudyPoint& point, const Ground& ground) {
     measure(point, ground, run.trajectory);
     point.cost = run.trajectory.cost;
     point.seconds = run.seconds;
+  } catch (const std::bad_alloc&) {  // what the machine lacks says nothing about the solution
+    throw;
   } catch (const std::exception& error) {
     point.failure = error.what();
   }

@@ -1,8 +1,10 @@
 #include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
 
 #include <cstring>
+#include <exception>
 #include <libxml/SAX2.h>
 #include <libxml/parserInternals.h>
+#include <new>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,20 +13,33 @@ namespace wavecurve::io {
 
 namespace {
 
-/// Builds the tree while the parser runs. The parser is C: no exception may pass through it.
+/// Builds the tree while the parser runs. The parser is C: no exception may pass through it, so what
+/// is thrown is kept (see `told`).
 struct TreeBuilder {
   xmlParserCtxtPtr parser = nullptr;
   std::unique_ptr<XmlElement> root;
   std::vector<XmlElement*> open;  // the elements that have not ended, each in the one before
   int elements = 0;
-  std::string defect;
+  std::exception_ptr defect;
 
-  void refuse(const std::string& what) {
-    if (defect.empty()) defect = fmt::format("line {}: {}", line(), what);
-    xmlStopParser(parser);
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::invalid_argument(fmt::format("line {}: {}", line(), what));
   }
   int line() const { return parser->input ? parser->input->line : 0; }
 };
+
+/// Lets the builder that the parser passes on act, until anything is thrown.
+template <typename Action>
+void told(void* context, const Action& action) noexcept {
+  auto& tree = *static_cast<TreeBuilder*>(context);
+  if (tree.defect) return;
+  try {
+    action(tree);
+  } catch (...) {
+    tree.defect = std::current_exception();
+    xmlStopParser(tree.parser);
+  }
+}
 
 std::string text_of(const xmlChar* text) {
   return text ? reinterpret_cast<const char*>(text) : std::string();
@@ -50,49 +65,51 @@ void add_attributes(XmlElement& element, int count, const xmlChar** attributes) 
 
 void start_element(void* context, const xmlChar* name, const xmlChar*, const xmlChar* uri, int,
                    const xmlChar**, int attribute_count, int, const xmlChar** attributes) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (!tree.defect.empty()) return;
-  if (tree.open.size() == deepest_nesting) {
-    return tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
-  }
-  if (++tree.elements > most_elements) {
-    return tree.refuse(fmt::format("more than {} elements", most_elements));
-  }
-  auto element = std::make_unique<XmlElement>();
-  if (is_svg(uri)) element->name = text_of(name);
-  element->line = tree.line();
-  if (!tree.open.empty()) element->parent = tree.open.back();
-  add_attributes(*element, attribute_count, attributes);
-  XmlElement* const added = element.get();
-  (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) = std::move(element);
-  tree.open.push_back(added);
+  told(context, [&](TreeBuilder& tree) {
+    if (tree.open.size() == deepest_nesting) {
+      tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
+    }
+    if (++tree.elements > most_elements) {
+      tree.refuse(fmt::format("more than {} elements", most_elements));
+    }
+    auto element = std::make_unique<XmlElement>();
+    if (is_svg(uri)) element->name = text_of(name);
+    element->line = tree.line();
+    if (!tree.open.empty()) element->parent = tree.open.back();
+    add_attributes(*element, attribute_count, attributes);
+    XmlElement* const added = element.get();
+    (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) =
+        std::move(element);
+    tree.open.push_back(added);
+  });
 }
 
 void end_element(void* context, const xmlChar*, const xmlChar*, const xmlChar*) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (tree.defect.empty()) tree.open.pop_back();
+  told(context, [](TreeBuilder& tree) { tree.open.pop_back(); });
 }
 
 void add_text(void* context, const xmlChar* text, int length) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (!tree.open.empty()) {
+  told(context, [&](TreeBuilder& tree) {
+    if (tree.open.empty()) return;
     tree.open.back()->text.append(reinterpret_cast<const char*>(text),
                                   static_cast<std::size_t>(length));
-  }
+  });
 }
 
 void refuse_entity(void* context, const xmlChar* name, int, const xmlChar*, const xmlChar*,
                    xmlChar*) {
-  static_cast<TreeBuilder*>(context)->refuse(
-      fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+  told(context, [&](const TreeBuilder& tree) {
+    tree.refuse(fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+  });
 }
 
 void refuse_attribute(void* context, const xmlChar* element, const xmlChar* name, int, int,
                       const xmlChar*, xmlEnumerationPtr values) {
   xmlFreeEnumeration(values);
-  static_cast<TreeBuilder*>(context)->refuse(
-      fmt::format("declares the attribute {} of {}; declarations are not used", text_of(name),
-                  text_of(element)));
+  told(context, [&](const TreeBuilder& tree) {
+    tree.refuse(fmt::format("declares the attribute {} of {}; declarations are not used",
+                            text_of(name), text_of(element)));
+  });
 }
 
 xmlSAXHandler handler() {
@@ -109,6 +126,7 @@ xmlSAXHandler handler() {
 
 std::string error_of(xmlParserCtxtPtr parser) {
   const xmlError* const error = xmlCtxtGetLastError(parser);
+  if (error && error->code == XML_ERR_NO_MEMORY) throw std::bad_alloc();
   if (!error || !error->message) return "not XML";
   std::string message = error->message;
   while (!message.empty() && message.back() == '\n') message.pop_back();
@@ -131,11 +149,12 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 }
 
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
+  if (bytes.empty()) throw std::invalid_argument("not XML: it is empty");
   static const bool initialized = (xmlInitParser(), true);
   static_cast<void>(initialized);
   const std::unique_ptr<xmlParserCtxt, FreeParser> parser(
       xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
-  if (!parser) throw std::invalid_argument("not XML: it is empty");
+  if (!parser) throw std::bad_alloc();
   TreeBuilder tree;
   tree.parser = parser.get();
   *parser->sax = handler();
@@ -144,7 +163,7 @@ std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
   xmlCtxtUseOptions(parser.get(),
                     XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
   xmlParseDocument(parser.get());
-  if (!tree.defect.empty()) throw std::invalid_argument(tree.defect);
+  if (tree.defect) std::rethrow_exception(tree.defect);
   if (!parser->wellFormed || !tree.root) throw std::invalid_argument(error_of(parser.get()));
   return std::move(tree.root);
 }
