@@ -12,6 +12,7 @@ well, 1 some do not, each named, 2 bad usage.
 """
 import argparse
 import concurrent.futures
+import gzip
 import json
 import os
 import pathlib
@@ -46,6 +47,7 @@ COMMANDS = {
     "morph, json": "morph a.svg b.svg --samples 32 --frames 4 --motion physical -o m.json",
     "morph, gif": "morph a.svg b.svg --samples 32 --frames 2 -o m.gif",
     "compare": "compare --samples 16 --shape ellipse --damping 0,0 --solvers spectral,implicit --format json",
+    "gait fit": "gait fit walk.csv.gz --samples 16 --scale 4 --model linear -o f.json",
     "gait show": "gait show gait.json",
     "gait synthesize": f"gait synthesize gait.json '{EXAMPLES / 'dog.svg'}' --samples 32 --frames 4 -o w.svg",
     "verify": "verify --only erratum-2-5 --output report",
@@ -54,6 +56,8 @@ COMMANDS = {
 
 
 def prepare(folder, program):
+    with gzip.open(folder / "walk.csv.gz", "wb") as packed:
+        packed.write((EXAMPLES / "dog-walk.csv").read_bytes())
     (folder / "a.svg").write_text(SQUARE)
     (folder / "b.svg").write_text(DISC)
     (folder / "bad.svg").write_text("<svg><path")
@@ -102,7 +106,8 @@ class Trial:
             return "glibc" if lines <= 1 else "other"
         if ended.returncode == 3 and lines == 1 and set(files) >= set(before):
             return "refused"
-        if ended.returncode == usual[0].returncode and files == usual[1] and untimed(ended.stdout) == untimed(usual[0].stdout):
+        same_output = untimed(ended.stdout) == untimed(usual[0].stdout)
+        if ended.returncode == usual[0].returncode and files == usual[1] and same_output:
             return "unharmed"
         return "other"
 
@@ -120,7 +125,7 @@ def main():
     parser.add_argument("--runs", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json")
-    parser.add_argument("--only")
+    parser.add_argument("--only", choices=COMMANDS)
     parser.add_argument("--processes", type=int, default=os.cpu_count())
     options = parser.parse_args()
     options.program, options.library = map(os.path.abspath, (options.program, options.library))

@@ -1,5 +1,6 @@
 #include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <libxml/SAX2.h>
@@ -124,6 +125,35 @@ xmlSAXHandler handler() {
   return sax;
 }
 
+/// Refuses elements with too many attributes before libxml2 reads them. Outside of comments, of what begins
+/// with <! or <?, and of closing tags, an attribute ends with the second quote of its kind.
+void check_attributes(std::string_view bytes) {
+  const auto skip_behind = [&](std::size_t from, std::string_view end) {
+    return std::min(bytes.find(end, from), bytes.size());
+  };
+  for (std::size_t i = 0; (i = bytes.find('<', i)) != std::string_view::npos;) {
+    const std::string_view rest = bytes.substr(i);
+    if (rest.starts_with("<!--")) {
+      i = skip_behind(i, "-->");
+    } else if (rest.starts_with("<![CDATA[")) {
+      i = skip_behind(i, "]]>");
+    } else if (rest.starts_with("<!") || rest.starts_with("<?")) {
+      i = skip_behind(i, ">");
+    } else {
+      int attributes = 0;
+      for (++i; i < bytes.size() && bytes[i] != '>'; ++i) {
+        if (bytes[i] != '"' && bytes[i] != '\'') continue;
+        if (++attributes > most_attributes) {
+          throw std::invalid_argument(fmt::format("line {}: an element has more than {} attributes",
+                                                  1 + std::ranges::count(bytes.substr(0, i), '\n'),
+                                                  most_attributes));
+        }
+        i = skip_behind(i + 1, bytes.substr(i, 1));
+      }
+    }
+  }
+}
+
 std::string error_of(xmlParserCtxtPtr parser) {
   const xmlError* const error = xmlCtxtGetLastError(parser);
   if (error && error->code == XML_ERR_NO_MEMORY) throw std::bad_alloc();
@@ -150,6 +180,7 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
   if (bytes.empty()) throw std::invalid_argument("not XML: it is empty");
+  check_attributes(bytes);
   static const bool initialized = (xmlInitParser(), true);
   static_cast<void>(initialized);
   const std::unique_ptr<xmlParserCtxt, FreeParser> parser(
