@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "tools/commands/terminal.hpp"
 #include "tools/ending.hpp"
+#include "tools/out_of_memory.hpp"
 
 namespace wavecurve::tools {
 
@@ -44,12 +46,12 @@ int run(int argc, char** argv, DefineCommands define) {
   return code;
 }
 
-}  // namespace
-
-int run_main(int argc, char** argv, DefineCommands define) {
-  prepare_for_ending();
+/// What happens as an exit code, where there is memory enough to say it.
+int say_what_happens(int argc, char** argv, DefineCommands define) {
   try {
     return run(argc, argv, define);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + " (wavecurve --help lists the commands)",
                     bad_input);
@@ -62,6 +64,18 @@ int run_main(int argc, char** argv, DefineCommands define) {
     return complain(error.what(), bad_input);
   } catch (const std::exception& error) {
     return complain(error.what(), environment_failed);
+  }
+}
+
+}  // namespace
+
+int run_main(int argc, char** argv, DefineCommands define) {
+  prepare_for_ending();
+  try {
+    return say_what_happens(argc, argv, define);
+  } catch (const std::bad_alloc&) {
+    say_out_of_memory();
+    return environment_failed;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "benchmarks/tracking/timing.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -20,6 +21,35 @@ namespace {
 
 namespace fs = std::filesystem;
 using Place = io::OrderedJsonPlace;
+
+/// The spread of a counter that is always 0 is written as NaN, and there may be infinities, which JSON
+/// does not have: they become null. By hand, for std::regex recurses over what it matches.
+std::string with_nulls(std::string_view text) {
+  constexpr std::string_view key_end = ": ";
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t value = std::min(text.find(key_end), text.size() - 1);
+    std::string_view word = text.substr(std::min(value + key_end.size(), text.size()));
+    if (word.starts_with('-')) word.remove_prefix(1);
+    const auto starts_with = [&](std::string_view lower) {
+      return word.size() >= lower.size() &&
+             std::equal(lower.begin(), lower.end(), word.begin(), [](char a, char b) {
+               return a == std::tolower(static_cast<unsigned char>(b));
+             });
+    };
+    if (starts_with("nan") || starts_with("inf")) {
+      result.append(text.substr(0, value)).append(": null");
+      while (!word.empty() && std::isalpha(static_cast<unsigned char>(word.front())))
+        word.remove_prefix(1);
+      text = word;
+    } else {
+      const std::size_t taken = std::min(value + key_end.size(), text.size());
+      result.append(text.substr(0, taken));
+      text.remove_prefix(taken);
+    }
+  }
+  return result;
+}
 
 /// The name as a regular expression that matches nothing else.
 std::string escaped(const std::string& name) {
@@ -43,9 +73,7 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
   arguments.push_back("--benchmark_out=" + file.path().string());
   arguments.emplace_back("--benchmark_out_format=json");
   const io::ProgramRun run = io::run_program(arguments);
-  // The spread of a counter that is always 0 is written as NaN, which JSON does not have.
-  static const std::regex no_number(": -?(nan|inf)[a-z]*", std::regex::icase);
-  const std::string text = std::regex_replace(io::read_file(file.path()), no_number, ": null");
+  const std::string text = with_nulls(io::read_file(file.path()));
   if (run.exit_code == 124) {
     throw std::runtime_error(fmt::format("{} took more than {} s", name, longest));
   }
@@ -54,6 +82,14 @@ Json run_with_output(const fs::path& program, std::vector<std::string> arguments
         fmt::format("{} {} ended with {}: {}", name, arguments[3], run.exit_code, run.err));
   }
   return io::parse_ordered_json(text);
+}
+
+std::regex regular_expression(const std::string& text) {
+  try {
+    return std::regex(text);
+  } catch (const std::regex_error&) {
+    throw std::invalid_argument("the filter '" + text.substr(0, 60) + "' is no regular expression");
+  }
 }
 
 }  // namespace
@@ -65,12 +101,14 @@ double seconds_of_unit(const std::string& unit) {
 }
 
 std::vector<BenchmarkName> list_benchmarks(const fs::path& program, const std::string& filter) {
-  const std::regex wanted(filter);
+  constexpr std::size_t longest_name = 300;  // std::regex recurses over what it matches
+  const std::regex wanted = regular_expression(filter);
   std::vector<BenchmarkName> names;
   std::istringstream lines(io::output_of({program.string(), "--benchmark_list_tests"}));
   for (std::string line; std::getline(lines, line);) {
     // Lines with blanks are a program's own.
-    const bool is_name = !line.empty() && line.find(' ') == std::string::npos;
+    const bool is_name =
+        !line.empty() && line.size() <= longest_name && line.find(' ') == std::string::npos;
     if (is_name && std::regex_search(line, wanted)) {
       names.push_back({program.filename().string(), line});
     }

@@ -1,5 +1,10 @@
-# The fuzzers of the readers of drawings and tracks, where clang and its fuzzer runtime are there: built beside
-# everything else, by clang whichever compiler the rest is built with, and run as tests for half a minute each.
+# Fuzzers of everything that reads, where clang and its fuzzer runtime are there: built beside everything else, by
+# clang whichever compiler the rest is built with, and run as tests for some seconds each.
+#
+#   wavecurve_fuzz_object(NAME SOURCE)   compiles a file, instrumented
+#   wavecurve_fuzzer(NAME FOLDER DICTIONARY OBJECTS name... LIBRARIES target...)
+#       makes and tries FOLDER/fuzz_NAME.cpp with the files of FOLDER/corpus/NAME. Libraries are linked as they
+#       are built; of what an instrumented object defines too, that is taken.
 find_program(WAVECURVE_CLANG clang++)
 set(fuzz_dir ${CMAKE_CURRENT_BINARY_DIR}/fuzz)
 set(fuzz_source ${CMAKE_CURRENT_SOURCE_DIR}/wavecurve/io/fuzz)
@@ -18,49 +23,99 @@ if(WAVECURVE_CLANG AND NOT DEFINED WAVECURVE_FUZZER_RUNTIME)
 endif()
 if(NOT WAVECURVE_CLANG OR NOT WAVECURVE_FUZZER_RUNTIME)
   message(STATUS "No clang++ with a fuzzer runtime: the readers are not fuzzed")
+  function(wavecurve_fuzz_object)
+  endfunction()
+  function(wavecurve_fuzzer)
+  endfunction()
   return()
 endif()
 
-# The readers in two parts: SVG's grammars, which take as long as all else, and the rest.
+set(WAVECURVE_FUZZ_DIR ${fuzz_dir} CACHE INTERNAL "where fuzzers are built")
+set(folders ${EIGEN3_INCLUDE_DIRS} ${LIBXML2_INCLUDE_DIR} ${FLINT_INCLUDE_DIR} ${ARB_INCLUDE_DIR})
+list(REMOVE_ITEM folders /usr/include)  # which named would come before the compiler's own
+list(REMOVE_DUPLICATES folders)
+list(TRANSFORM folders PREPEND -isystem)
+set(WAVECURVE_FUZZ_FLAGS
+    -std=c++20 -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
+    -I${CMAKE_CURRENT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR} ${folders}
+    CACHE INTERNAL "how they are compiled")
+set(WAVECURVE_FUZZ_LIBRARIES -lhwy ${ARB_LIBRARY} ${FLINT_LIBRARY} ${MPFR_LIBRARY} ${GMP_LIBRARY} -lxml2 -lpng -lz -lfmt
+    CACHE INTERNAL "what they are linked with")
+add_custom_target(fuzzers ALL)
+
+function(wavecurve_fuzz_object name source)
+  set(object ${WAVECURVE_FUZZ_DIR}/${name}.o)
+  add_custom_command(
+    OUTPUT ${object}
+    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${WAVECURVE_CLANG} ${WAVECURVE_FUZZ_FLAGS} -fsanitize=fuzzer-no-link
+            -MD -MF ${WAVECURVE_FUZZ_DIR}/${name}.d -c ${source} -o ${object}
+    DEPENDS ${source} DEPFILE ${WAVECURVE_FUZZ_DIR}/${name}.d
+    COMMENT "Building the fuzzed ${name}" VERBATIM)
+endfunction()
+
+# An instrumented library has another sanitizer's runtime; what needs libraries is then left out.
+function(wavecurve_fuzzer name folder dictionary)
+  cmake_parse_arguments(FUZZ "" "" "OBJECTS;LIBRARIES" ${ARGN})
+  if(FUZZ_LIBRARIES AND WAVECURVE_SANITIZE)
+    return()
+  endif()
+  set(fuzzer ${WAVECURVE_FUZZ_DIR}/fuzz_${name})
+  wavecurve_fuzz_object(fuzz_${name} ${folder}/fuzz_${name}.cpp)
+  set(objects ${fuzzer}.o)
+  foreach(object IN LISTS FUZZ_OBJECTS)
+    list(APPEND objects ${WAVECURVE_FUZZ_DIR}/${object}.o)
+  endforeach()
+  set(archives "")
+  foreach(target IN LISTS FUZZ_LIBRARIES)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL OBJECT_LIBRARY)
+      list(APPEND archives $<TARGET_OBJECTS:${target}>)
+    else()
+      list(APPEND archives $<TARGET_FILE:${target}>)
+    endif()
+  endforeach()
+  add_custom_command(
+    OUTPUT ${fuzzer}
+    COMMAND ${WAVECURVE_CLANG} -fsanitize=fuzzer,address,undefined -Wl,--allow-multiple-definition ${objects}
+            -Wl,--start-group ${archives} -Wl,--end-group ${WAVECURVE_FUZZ_LIBRARIES} -o ${fuzzer}
+    DEPENDS ${objects} ${FUZZ_LIBRARIES} ${archives} COMMENT "Linking fuzz_${name}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(fuzzer_${name} DEPENDS ${fuzzer})
+  add_dependencies(fuzzers fuzzer_${name})
+  set(found ${WAVECURVE_FUZZ_DIR}/found/${name})
+  file(MAKE_DIRECTORY ${found})
+  add_test(NAME fuzz.${name}
+           COMMAND ${fuzzer} -max_total_time=5 -max_len=4096 -timeout=10 -verbosity=0 -dict=${dictionary}
+                   -artifact_prefix=${found}- ${found} ${folder}/corpus/${name})
+  set_tests_properties(fuzz.${name} PROPERTIES COST 10)
+endfunction()
+
+# Sources as one file, but for what takes long by itself.
+function(wavecurve_fuzz_sources name)
+  list(TRANSFORM ARGN PREPEND "#include \"")
+  list(TRANSFORM ARGN APPEND "\"\n")
+  list(JOIN ARGN "" includes)
+  file(CONFIGURE OUTPUT ${WAVECURVE_FUZZ_DIR}/${name}.cpp CONTENT "${includes}" @ONLY)
+  wavecurve_fuzz_object(${name} ${WAVECURVE_FUZZ_DIR}/${name}.cpp)
+endfunction()
+
+# The readers of drawings in two parts: SVG's grammars, which take as long as all else, and the rest.
 set(room ${CMAKE_CURRENT_SOURCE_DIR}/wavecurve)
 file(GLOB readers CONFIGURE_DEPENDS ${room}/io/drawings/detail/svg/*.cpp)
 list(FILTER readers EXCLUDE REGEX "_test\\.cpp$|svg_values\\.cpp$")
-list(APPEND readers ${room}/io/drawings/detail/read_points.cpp ${room}/io/tracks/detail/track_table.cpp
-     ${room}/io/files/detail/csv.cpp ${room}/io/files/detail/for_each_line.cpp
-     ${room}/io/files/detail/text.cpp
-     ${room}/filters/detail/bad_value.cpp)
-list(TRANSFORM readers PREPEND "#include \"")
-list(TRANSFORM readers APPEND "\"\n")
-list(JOIN readers "" includes)
-file(CONFIGURE OUTPUT ${fuzz_dir}/readers.cpp CONTENT "${includes}" @ONLY)
-
-set(flags -std=c++20 -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-          -I${CMAKE_CURRENT_SOURCE_DIR} -isystem ${EIGEN3_INCLUDE_DIRS} -isystem ${LIBXML2_INCLUDE_DIR})
-function(fuzz_object name source)
-  add_custom_command(
-    OUTPUT ${fuzz_dir}/${name}.o
-    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${WAVECURVE_CLANG} ${flags} -fsanitize=fuzzer-no-link -MD
-            -MF ${fuzz_dir}/${name}.d -c ${source} -o ${fuzz_dir}/${name}.o
-    DEPENDS ${source} DEPFILE ${fuzz_dir}/${name}.d
-    COMMENT "Building the fuzzed ${name}" VERBATIM)
-endfunction()
-fuzz_object(svg_values ${room}/io/drawings/detail/svg/svg_values.cpp)
-fuzz_object(readers ${fuzz_dir}/readers.cpp)
-
+wavecurve_fuzz_sources(readers ${readers} ${room}/io/drawings/detail/read_points.cpp
+                       ${room}/io/tracks/detail/track_table.cpp ${room}/io/files/detail/csv.cpp
+                       ${room}/io/files/detail/for_each_line.cpp ${room}/io/files/detail/text.cpp
+                       ${room}/filters/detail/bad_value.cpp ${room}/filters/detail/characters.cpp)
+wavecurve_fuzz_object(svg_values ${room}/io/drawings/detail/svg/svg_values.cpp)
 foreach(reader IN ITEMS svg csv tracks)
-  set(fuzzer ${fuzz_dir}/fuzz_${reader})
-  fuzz_object(fuzz_${reader} ${fuzz_source}/fuzz_${reader}.cpp)
-  set(objects ${fuzzer}.o ${fuzz_dir}/readers.o ${fuzz_dir}/svg_values.o)
-  add_custom_command(
-    OUTPUT ${fuzzer}
-    COMMAND ${WAVECURVE_CLANG} -fsanitize=fuzzer,address,undefined ${objects} -lfmt -lxml2 -o ${fuzzer}
-    DEPENDS ${objects} COMMENT "Linking fuzz_${reader}" VERBATIM)
-  list(APPEND fuzzers ${fuzzer})
-  file(MAKE_DIRECTORY ${fuzz_dir}/found/${reader})
-  add_test(NAME fuzz.${reader}
-           COMMAND ${fuzzer} -max_total_time=30 -max_len=4096 -timeout=10 -verbosity=0
-                   -dict=${fuzz_source}/svg.dict -artifact_prefix=${fuzz_dir}/found/${reader}-
-                   ${fuzz_dir}/found/${reader} ${fuzz_source}/corpus/${reader})
-  set_tests_properties(fuzz.${reader} PROPERTIES COST 30)  # started first, since they take longest
+  wavecurve_fuzzer(${reader} ${fuzz_source} ${fuzz_source}/svg.dict OBJECTS readers svg_values)
 endforeach()
-add_custom_target(fuzzers ALL DEPENDS ${fuzzers})
+
+wavecurve_fuzz_sources(json_readers ${room}/io/filter_json.cpp ${room}/io/descriptor_json.cpp
+                       ${room}/io/tracks/gait_parameters_json.cpp
+                       ${room}/io/files/detail/json_place.cpp ${room}/io/files/detail/parse_json.cpp)
+foreach(reader IN ITEMS filter descriptor gait)
+  wavecurve_fuzzer(${reader} ${fuzz_source} ${fuzz_source}/json.dict OBJECTS json_readers
+                   LIBRARIES wavecurve_io wavecurve_certified wavecurve)
+endforeach()

@@ -71,6 +71,18 @@ std::string picture(const FilterBank<double>& bank, const Eigen::SparseMatrix<do
        "magnitude of the entry (e_0 = 1, unit interval)"});
 }
 
+/// What a matrix holds, and its making takes, goes with its rows, its levels and the taps.
+void check_work(const FilterBank<double>& bank, long samples, int levels) {
+  constexpr double most = 2e7;
+  const auto taps = static_cast<double>(bank.synthesis_low.size() + bank.analysis_low.size());
+  const double work = static_cast<double>(samples) * (levels + 1.0) * taps;
+  if (work <= most) return;
+  throw std::invalid_argument(fmt::format(
+      "{} samples, {} levels and the {} taps of {} on both sides make too large a matrix: samples "
+      "times one more than levels times taps is {:.3g}, but must be at most {:.3g}",
+      samples, levels, taps, bank.name, work, most));
+}
+
 void run_stiffness(const StiffnessOptions& options) {
   check_ending(options.output);
   const FilterBank<double> bank = io::load_filter_bank(options.name);
@@ -79,6 +91,7 @@ void run_stiffness(const StiffnessOptions& options) {
   }
   const int most = checked_log2(options.samples);
   const int levels = options.levels < 0 ? most : options.levels;
+  check_work(bank, options.samples, levels);
   const Eigen::SparseMatrix<double> k = stiffness(bank, options.samples, levels);
   const ExtremeEigenvalues ends = extreme_eigenvalues(bank, options.samples, levels, 1);
   const double first_vibration = vibration_eigenvalues(bank, options.samples)[1];

@@ -313,6 +313,12 @@ std::vector<NumberList> read_number_lists(std::string_view text) {
   std::vector<NumberList> lists = has_literals ? joined(lists_of_literals(tokens, comma_is_decimal))
                                                : lists_of_lines(tokens, comma_is_decimal);
   if (lists.empty()) throw std::invalid_argument("the text has no number");
+  for (const NumberList& list : lists) {
+    if (list.numbers.size() <= longest_list) continue;
+    throw std::invalid_argument("a list has " + std::to_string(list.numbers.size()) +
+                                " numbers, but no known column has nearly so many: at most " +
+                                std::to_string(longest_list) + " are looked for");
+  }
   return lists;
 }
 

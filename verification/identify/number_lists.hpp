@@ -23,9 +23,10 @@ struct NumberList {
 /// A text with brackets or assignments has a list for each; any other text whose lines have equally
 /// many numbers has a list for each column, and a first column of consecutive integers is their
 /// index. Decimal commas are understood where no number has a point and no comma is followed by a
-/// blank. Throws std::invalid_argument if there is no number, or more than most_listed_numbers.
+/// blank. Throws std::invalid_argument if there is no number, if there are more than
+/// most_listed_numbers, or more than longest_list in one list: no known column is nearly so long.
 std::vector<NumberList> read_number_lists(std::string_view text);
 
-inline constexpr std::size_t most_listed_numbers = 200'000;
+inline constexpr std::size_t most_listed_numbers = 20'000, longest_list = 500;
 
 }  // namespace wavecurve::verification

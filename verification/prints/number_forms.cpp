@@ -147,6 +147,12 @@ std::string plain_signs(std::string_view text) {
   std::string plain;
   bool high = false;
   while (!text.empty()) {
+    if (is_plain(text.substr(0, 1)) || text.front() == ' ') {  // most are, and no sign begins so
+      high = false;
+      plain += text.front();
+      text.remove_prefix(1);
+      continue;
+    }
     const auto digit = take_replaced(text, high_characters);
     if (digit && !high) plain += '^';
     high = digit.has_value();

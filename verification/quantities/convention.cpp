@@ -67,7 +67,17 @@ class Samples {
   std::vector<double> values_;
 };
 
-/// How a candidate fits the entries.
+/// A column of more rows than this, zeros included, or whose indices lie farther apart is under no
+/// convention that could be recognised, for no filter has nearly so many values.
+constexpr std::size_t most_entries = 2000;
+constexpr int widest_range = 10'000;
+
+/// How many entries may be misprints.
+int exceptions(std::size_t entries) {
+  return entries <= 3 ? 0 : std::max(1, static_cast<int>(entries) / 8);
+}
+
+/// How a candidate fits the entries; not counted on where too many are wrong.
 struct Fit {
   int wrong = 0;
   int weighty = 0;  ///< right entries that are larger than ten times the tolerance
@@ -83,25 +93,30 @@ Fit fit(const std::vector<EntryToPlace>& entries, const Samples& samples,
     const double expected = value ? sign(convention, n) * scale * *value : 0;
     const double allowed = std::max(entry.unit, tolerance);
     const bool fits = std::abs(entry.value - expected) <= allowed && (value || entry.value == 0);
-    if (!fits) ++result.wrong;
+    if (!fits && ++result.wrong > exceptions(entries.size())) break;
     if (fits && std::abs(expected) > 10 * allowed) ++result.weighty;
   }
   return result;
 }
 
 bool explains(const Fit& fit, std::size_t entries) {
-  const int exceptions = entries <= 3 ? 0 : std::max(1, static_cast<int>(entries) / 8);
-  return fit.wrong <= exceptions && fit.weighty >= 2;
+  return fit.wrong <= exceptions(entries) && fit.weighty >= 2;
+}
+
+/// The least and the largest index.
+IndexRange range_of(const std::vector<EntryToPlace>& entries) {
+  IndexRange range{entries.front().index.integer(), entries.front().index.integer()};
+  for (const EntryToPlace& entry : entries) {
+    range.first = std::min(range.first, entry.index.integer());
+    range.last = std::max(range.last, entry.index.integer());
+  }
+  return range;
 }
 
 /// Conventions of the given signs and order, the shifts in between from the smallest on.
 std::vector<int> shifts(const std::vector<EntryToPlace>& entries, bool reversed,
                         IndexRange support) {
-  int least = entries.front().index.integer(), most = least;
-  for (const EntryToPlace& entry : entries) {
-    least = std::min(least, entry.index.integer());
-    most = std::max(most, entry.index.integer());
-  }
+  const auto [least, most] = range_of(entries);
   // Source indices must be able to lie inside the support, up to the zeros of a padded table.
   const int slack = std::max(0, (most - least) - (support.last - support.first)) + 1;
   const int centre = reversed ? support.first + support.last : 0;
@@ -219,6 +234,8 @@ std::optional<Convention> recognise_convention(FilterValues& filter, const Quant
                                                const std::vector<EntryToPlace>& entries,
                                                const std::optional<StatedConvention>& stated) {
   if (!has_conventions(quantity) || entries.size() < 2) return std::nullopt;
+  const IndexRange range = range_of(entries);
+  if (entries.size() > most_entries || range.last - range.first > widest_range) return std::nullopt;
   const double tolerance = tolerance_for(entries);
   const Samples own(filter, quantity);
   if (!stated && explains(fit(entries, own, {}, tolerance), entries.size())) return std::nullopt;

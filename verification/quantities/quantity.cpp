@@ -35,11 +35,6 @@ Quantity product_of_slopes(bool wavelet) {
   return of_family("int", {{f, 0}, {f, 1}});
 }
 
-Quantity with_factor(Quantity quantity, int half_powers) {
-  quantity.half_powers = half_powers;
-  return quantity;
-}
-
 Quantity by_first(Quantity quantity) {
   quantity.divided_by_first = true;
   return quantity;
@@ -287,15 +282,6 @@ std::string bare_text(const Quantity& quantity) {
 }
 
 }  // namespace
-
-const Quantity Quantity::taps = filter_taps(false, false);
-const Quantity Quantity::taps_sum_2 = with_factor(filter_taps(false, false), 1);
-const Quantity Quantity::taps_sum_1 = with_factor(filter_taps(false, false), -1);
-const Quantity Quantity::autocorrelation = of_family("alpha", {});
-const Quantity Quantity::mu = product_of_slopes(false);
-const Quantity Quantity::nu = product_of_slopes(true);
-const Quantity Quantity::mu_normalized = by_first(product_of_slopes(false));
-const Quantity Quantity::nu_normalized = by_first(product_of_slopes(true));
 
 Quantity Quantity::bare() const { return {family, factors, 0, false, false}; }
 

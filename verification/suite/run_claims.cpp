@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,8 @@ Outcome evaluate(const Claim& claim) {
     Outcome outcome = claim.evaluate();
     require_sound(outcome.finding.values);
     return outcome;
+  } catch (const std::bad_alloc&) {  // what the machine lacks says nothing about the claim
+    throw;
   } catch (const std::exception& error) {
     return failed(error.what());
   } catch (...) {

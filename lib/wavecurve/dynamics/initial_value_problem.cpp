@@ -1,6 +1,7 @@
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 
 #include <cmath>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -54,6 +55,8 @@ void check(const InitialValueProblem& problem) {
 void keep_what_is_reached(Trajectory& trajectory, const std::function<void()>& steps) {
   try {
     steps();
+  } catch (const std::bad_alloc&) {  // what the machine lacks says nothing about the solution
+    throw;
   } catch (const std::exception& failure) {
     throw SolutionStopped(failure.what(), std::move(trajectory));
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@ namespace wavecurve::dynamics {
 namespace {
 
 constexpr int most_steps = 140;
+constexpr double most_products = 3e9;  // of sparse matrices: some ten seconds
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using Dense = Eigen::MatrixXd;
@@ -50,6 +52,20 @@ double drop(Sparse& matrix, double threshold) {
   return std::sqrt(square);
 }
 
+/// Adds the multiplications of a product, which for sparse factors are those of an even pattern.
+template <class Matrix>
+void count_product(const Matrix& a, const Matrix& b, double& operations) {
+  if constexpr (std::is_same_v<Matrix, Sparse>) {
+    operations += static_cast<double>(a.nonZeros()) * static_cast<double>(b.nonZeros()) /
+                  static_cast<double>(a.cols());
+    if (operations <= most_products) return;
+    throw std::domain_error(fmt::format(
+        "Schulz' iteration for a matrix of {} rows takes more than {:.2g} multiplications, which "
+        "is the bound: its inverse is not sparse",
+        a.rows(), most_products));
+  }
+}
+
 bool is_finite(const Dense& matrix) { return matrix.allFinite(); }
 bool is_finite(const Sparse& matrix) { return matrix.coeffs().allFinite(); }
 
@@ -75,7 +91,9 @@ SchulzInverse<Matrix> iterate(const Matrix& c, double tolerance, double threshol
   Matrix& x = result.inverse;
   x = norm > 0 ? Matrix(transposed / norm) : transposed;
   const double size = static_cast<double>(c.rows());
+  double operations = 0;
   for (int step = 0;; ++step) {
+    count_product(x, c, operations);
     const Matrix residual = identity_minus(Matrix(x * c));
     const double r = residual.norm();
     result.residuals.push_back(r);
@@ -94,6 +112,7 @@ SchulzInverse<Matrix> iterate(const Matrix& c, double tolerance, double threshol
       break;
     }
     if (step == most_steps || !std::isfinite(r)) break;
+    count_product(residual, x, operations);
     x = Matrix(x + residual * x);  // 2 X - X C X
     const double dropped = drop(x, threshold);
     if (threshold > 0) result.dropped.push_back(dropped);

@@ -45,7 +45,8 @@ struct SchulzInverse {
 SchulzInverse<Eigen::MatrixXd> schulz_inverse(const Eigen::Ref<const Eigen::MatrixXd>& c,
                                               double tolerance);
 
-/// The same with sparse matrices; after every step entries below threshold times the largest of X
+/// The same with sparse matrices, which throws std::domain_error where the products take more than
+/// 3e9 multiplications, as where the inverse of a large matrix fills up; after every step entries below threshold times the largest of X
 /// are dropped.
 SchulzInverse<Eigen::SparseMatrix<double>> schulz_inverse(const Eigen::SparseMatrix<double>& c,
                                                           double tolerance, double threshold);

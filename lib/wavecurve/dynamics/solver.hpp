@@ -32,7 +32,8 @@ struct NamedSolver {
   std::string name, summary;
   AccuracyKind accuracy;
   bool is_massless;  ///< needs density 0; the others, but those in closed form, need one above 0
-  /// The solver at an accuracy. Throws std::invalid_argument unless the number that the solver
+  /// The solver at an accuracy. What steps through time throws std::domain_error (SolutionStopped) as
+  /// soon as it foresees more than some ten seconds of work (detail/work_bound.hpp). Throws std::invalid_argument unless the number that the solver
   /// takes is given; the solver that it makes does so unless the number is above 0.
   std::function<Solver(const Accuracy& accuracy)> make;
 };

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/files/detail/json_place.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
 
@@ -62,6 +63,8 @@ struct BothSides {
   }
 };
 
+constexpr long longest_name = 200;
+
 const Keys keys_of_both_forms{"name", "sum", "accuracy", "vanishing_moments",
                               "dual_vanishing_moments"};
 const Keys keys_of_a_side{"taps", "first_index", "sum", "accuracy"};
@@ -104,6 +107,8 @@ UserFilter user_filter_of(const JsonPlace& document, const std::string& default_
   const BothSides sum(document, "sum"), accuracy(document, "accuracy");
   UserFilter user;
   user.name = name_of(document, default_name);
+  check_between("the number of characters of the name", static_cast<long>(user.name.size()), 0,
+                longest_name);
   user.taps = taps_of(primal);
   user.sum = sum.primal.value_or(user.sum);
   user.accuracy = accuracy.primal;

@@ -1,5 +1,9 @@
 #include "wavecurve/motion/ease.hpp"
 
+#include <stdexcept>
+
+#include <fmt/format.h>
+
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::motion {
@@ -18,9 +22,29 @@ double eased(Ease ease, double share) {
   return share;
 }
 
+namespace {
+
+/// Every frame becomes a key, with all its points.
+void check_keys(const Animation& animation, int frames) {
+  constexpr double most_points = double{1 << 25};
+  double points = 0;
+  for (const AnimatedLayer& layer : animation.layers) {
+    if (layer.outline.empty()) continue;
+    for (const Contour& contour : layer.outline.front().contours) {
+      points += static_cast<double>(contour.rows());
+    }
+  }
+  if (points * frames <= most_points) return;
+  throw std::domain_error(fmt::format("{} frames of {} points are more than {} points together",
+                                      frames, points, most_points));
+}
+
+}  // namespace
+
 Animation eased(const Animation& animation, Ease ease, int frames) {
   check_at_least("frames", frames, 2);
   if (ease == Ease::linear) return animation;
+  check_keys(animation, frames);
   Animation result{animation.view_box, animation.duration, {}};
   for (const AnimatedLayer& layer : animation.layers) result.layers.push_back({layer.id, {}, {}});
   for (int i = 0; i < frames; ++i) {

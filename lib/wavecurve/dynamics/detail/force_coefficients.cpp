@@ -1,6 +1,7 @@
 #include "wavecurve/dynamics/detail/force_coefficients.hpp"
 
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -32,6 +33,8 @@ Eigen::MatrixXd ForceCoefficients::general(std::size_t index, double time,
   Eigen::MatrixXd density;
   try {
     density = force_.general[index](time, positions, velocities);
+  } catch (const std::bad_alloc&) {  // what the machine lacks says nothing about the solution
+    throw;
   } catch (const std::exception& failure) {
     throw fail(fmt::format("throws \"{}\"", failure.what()));
   }

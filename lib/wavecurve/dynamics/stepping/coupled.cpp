@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/dynamics/detail/tolerance.hpp"
+#include "wavecurve/dynamics/detail/work_bound.hpp"
 #include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
 
 namespace wavecurve::dynamics {
@@ -120,6 +121,7 @@ class Integration {
         const double suggested = h, before = t;
         const auto result = stepper.try_step(std::ref(*this), state_, t, taken);
         count_stages();
+        check_work(operations(), t, last_time());
         h = result == odeint::success && is_cut ? std::max(suggested, taken) : taken;
         if (result == odeint::success && end - t < 4 * std::numeric_limits<double>::epsilon() * end)
           t = end;
@@ -140,6 +142,7 @@ class Integration {
           check_step_size(stepper.current_time(), 0, last_time());
         }
         count_stages();
+        check_work(operations(), stepper.current_time(), last_time());
         check_step_size(stepper.current_time(), stepper.current_time_step(), last_time());
       }
       if (end > 0) stepper.calc_state(end, state_);
@@ -165,7 +168,7 @@ class Integration {
         trajectory.displacement.push_back(block(state, 0));
         if (problem_.with_velocities) trajectory.velocity.push_back(block(state, 1));
         trajectory.cost = motion_.cost();
-        trajectory.cost.operations += stage_operations_;
+        trajectory.cost.operations = operations();
       }
     });
     return trajectory;
@@ -184,6 +187,8 @@ class Integration {
   double last_time() const {
     return problem_.times.size() > 0 ? problem_.times[problem_.times.size() - 1] : 0;
   }
+
+  long long operations() const { return motion_.cost().operations + stage_operations_; }
 
   /// Sums of stages: about two operations a value and evaluation, three stages on an average each.
   void count_stages() { stage_operations_ = 6 * motion_.cost().evaluations * 2 * rows_ * columns_; }

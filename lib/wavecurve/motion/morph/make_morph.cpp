@@ -28,10 +28,7 @@ int levels_to_four(Index samples) {
   return levels;
 }
 
-Layers sampled(const Drawing& drawing, Index samples, const char* which) {
-  if (drawing.layers.empty()) {
-    throw std::invalid_argument(fmt::format("the {} has no layers", which));
-  }
+Layers sampled(const Drawing& drawing, Index samples) {
   Layers layers;
   for (const Layer& layer : drawing.layers) {
     const auto rule = layer.paint.fill ? std::optional(layer.paint.fill_rule) : std::nullopt;
@@ -85,9 +82,37 @@ void check_starts(const Layers& source, const MorphOptions& options) {
   }
 }
 
-/// A layer with its contours as points.
+double contours_of(const Drawing& drawing) {
+  double count = 0;
+  for (const Layer& layer : drawing.layers) count += static_cast<double>(layer.subpaths.size());
+  return count;
+}
+
+/// What is refused here would take minutes, or more memory than there is.
+void check_size(const Drawing& source, const Drawing& destination, Index samples) {
+  constexpr long most_layers = 10'000;
+  constexpr double most_points = double{1 << 25}, most_pairs = 1e10;
+  check_samples(samples);
+  const double points = static_cast<double>(samples);
+  for (const Drawing* drawing : {&source, &destination}) {
+    const std::string which = drawing == &source ? "source" : "destination";
+    const auto layers = static_cast<long>(drawing->layers.size());
+    check_between("the number of layers of the " + which, layers, 1, most_layers);
+    if (contours_of(*drawing) * points <= most_points) continue;
+    throw std::domain_error(
+        fmt::format("the {} has {} contours; of {} samples each, they are more than {} points",
+                    which, contours_of(*drawing), samples, most_points));
+  }
+  if (contours_of(source) * contours_of(destination) * points <= most_pairs) return;
+  throw std::domain_error(
+      fmt::format("{} and {} contours of {} samples cannot be matched: the product is above {}",
+                  contours_of(source), contours_of(destination), samples, most_pairs));
+}
+
+/// A layer with its contours as points; each ground is that of a whole drawing.
 MorphLayer pair_layers(const FrameLayer* source, const FrameLayer* destination,
-                       const Layers& all_source, const Layers& all_destination,
+                       const std::vector<Contour>& source_ground,
+                       const std::vector<Contour>& destination_ground,
                        const MorphOptions& options) {
   MorphLayer layer;
   layer.id = source ? source->id : destination->id;
@@ -97,10 +122,10 @@ MorphLayer pair_layers(const FrameLayer* source, const FrameLayer* destination,
                                    start_of(source->id, options));
     layer.paint = blend_paint(source->paint, destination->paint, options.duration);
   } else if (source) {
-    layer.contours = shrink_contours(source->contours, ground(all_destination));
+    layer.contours = shrink_contours(source->contours, destination_ground);
     layer.paint = blend_paint(source->paint, vanishing(source->paint), options.duration);
   } else {
-    layer.contours = reversed(shrink_contours(destination->contours, ground(all_source)));
+    layer.contours = reversed(shrink_contours(destination->contours, source_ground));
     layer.paint = blend_paint(vanishing(destination->paint), destination->paint, options.duration);
   }
   return layer;
@@ -116,8 +141,9 @@ void make_unique(std::string& id, std::set<std::string>& taken) {
 }  // namespace
 
 Morph make_morph(const Drawing& source, const Drawing& destination, const MorphOptions& options) {
-  const Layers from = sampled(source, options.samples, "source");
-  Layers to = sampled(destination, options.samples, "destination");
+  check_size(source, destination, options.samples);
+  const Layers from = sampled(source, options.samples);
+  Layers to = sampled(destination, options.samples);
   fit(to, destination.view_box, source.view_box);
   check_starts(from, options);
   Morph morph{source.view_box,
@@ -128,11 +154,12 @@ Morph make_morph(const Drawing& source, const Drawing& destination, const MorphO
               options.duration,
               {}};
   const double diagonal = std::hypot(source.view_box.width, source.view_box.height);
+  const std::vector<Contour> source_ground = ground(from), destination_ground = ground(to);
   std::set<std::string> ids;
   for (const LayerMatch& match : match_layers(from, to, diagonal, options.map)) {
-    MorphLayer layer =
-        pair_layers(match.source ? &from[*match.source] : nullptr,
-                    match.destination ? &to[*match.destination] : nullptr, from, to, options);
+    MorphLayer layer = pair_layers(match.source ? &from[*match.source] : nullptr,
+                                   match.destination ? &to[*match.destination] : nullptr,
+                                   source_ground, destination_ground, options);
     make_unique(layer.id, ids);
     for (ContourPair& pair : layer.contours) {
       pair.source = to_coefficients(options.bank, pair.source, morph.levels);

@@ -34,7 +34,9 @@ struct MorphOptions {
 /// of what lies there in the other. Contours are sampled by arc length, filled ones close, and
 /// transformed down to four control points.
 /// Throws std::invalid_argument for samples that are no power of two, 4 .. 2^24, a map or a start
-/// that fits no layer, and a drawing without layers.
+/// that fits no layer, and a drawing without layers or with more than 10^4; std::domain_error for
+/// contours that are more than 2^25 points together, or too many to be matched with each other: the
+/// numbers of both drawings' contours and the samples have a product of at most 10^10.
 Morph make_morph(const Drawing& source, const Drawing& destination, const MorphOptions& options);
 
 }  // namespace wavecurve::motion

@@ -143,5 +143,30 @@ TEST(MakeMorph, RefusesWhatDoesNotFit) {
   EXPECT_THROW(make_morph({}, second(), options()), std::invalid_argument);
 }
 
+TEST(MakeMorph, RefusesWhatWouldTakeMinutes) {
+  const auto refusal = [](const Drawing& from, const Drawing& to, Index samples) -> std::string {
+    MorphOptions how = options();
+    how.samples = samples;
+    try {
+      make_morph(from, to, how);
+    } catch (const std::logic_error& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const std::vector<Subpath> few{rectangle(1, 1, 2, 2)}, many(3000, few[0]);
+  const Drawing one{{0, 0, 9, 9}, {layer("a", few, {})}},
+      crowd{{0, 0, 9, 9}, {layer("a", many, {})}};
+  EXPECT_EQ(refusal(crowd, one, 4), "nothing");
+  EXPECT_NE(refusal(one, crowd, 1 << 14).find("the destination has 3000 contours"),
+            std::string::npos);
+  EXPECT_NE(refusal(crowd, crowd, 2048).find("the product is above"), std::string::npos);
+  EXPECT_NE(refusal(crowd, crowd, 4).find("3000 and 3000 contours cannot be matched"),
+            std::string::npos);
+  Drawing layers = one;
+  layers.layers.resize(10'001, one.layers[0]);
+  EXPECT_NE(refusal(one, layers, 4).find("layers of the destination is 10001"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace wavecurve::motion

@@ -130,6 +130,7 @@ double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal) 
 void match_by_cost(const Layers& source, const Layers& destination, double diagonal,
                    Matching& matching) {
   const auto s = unmatched(matching.of_source), d = unmatched(matching.of_destination);
+  check_assignment("layers", s.size(), d.size());
   Eigen::MatrixXd cost(s.size(), d.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     for (std::size_t j = 0; j < d.size(); ++j) {

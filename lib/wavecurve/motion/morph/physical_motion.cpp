@@ -68,8 +68,13 @@ std::vector<Eigen::MatrixXd> solve(dynamics::InitialValueProblem problem,
   problem.with_velocities = false;
   const dynamics::Solver solver =
       dynamics::find_solver(options.solver).make({.tolerance = 1e-6, .step = until / 2048});
-  auto displacement =
-      dynamics::with_translation(solver, dynamics::Translation::interpolated)(problem).displacement;
+  std::vector<Eigen::MatrixXd> displacement;
+  try {
+    displacement = dynamics::with_translation(solver, dynamics::Translation::interpolated)(problem)
+                       .displacement;
+  } catch (const dynamics::SolutionStopped& stopped) {  // what was reached is no animation
+    throw std::domain_error(fmt::format("solver {}: {}", options.solver, stopped.what()));
+  }
   if (options.force.isZero(0)) return displacement;
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     const double time = problem.times[static_cast<Index>(i)];
@@ -95,8 +100,22 @@ void append_contour(std::vector<OutlineKey>& keys, const Morph& morph, const Mor
   }
 }
 
+/// Every frame keeps all points of all contours.
+void check_keys(const Morph& morph, int frames) {
+  constexpr double most_points = double{1 << 25};
+  double points = 0;
+  for (const MorphLayer& layer : morph.layers) {
+    for (const ContourPair& pair : layer.contours)
+      points += static_cast<double>(pair.source.rows());
+  }
+  if (points * frames <= most_points) return;
+  throw std::domain_error(fmt::format("{} frames of {} points are more than {} points together",
+                                      frames, points, most_points));
+}
+
 void check(const Morph& morph, const PhysicalOptions& options) {
   check_at_least("frames", options.frames, 2);
+  check_keys(morph, options.frames);
   if (options.until) check_above_zero("until", *options.until);
   if (!options.force.allFinite()) {
     throw std::invalid_argument(

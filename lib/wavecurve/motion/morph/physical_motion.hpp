@@ -41,8 +41,8 @@ struct PhysicalOptions {
 ///
 /// Solvers are made with the tolerance 1e-6, or with steps of 1 / 2048 of the motion. Throws
 /// std::invalid_argument naming what is out of bounds, or the layer whose scale is not of its
-/// transform; std::domain_error as settling_time, LagrangeSystem and the solver do, and for a force
-/// on contours of density 0; SolutionStopped as the solver does.
+/// transform; std::domain_error as settling_time, LagrangeSystem and the solver do, where the solver
+/// stops, for a force on contours of density 0, and for more than 2^25 points in all frames together.
 Animation physical_animation(const Morph& morph, const PhysicalOptions& options);
 
 /// A time after which no control point of the exact motion is farther than settled_share from its

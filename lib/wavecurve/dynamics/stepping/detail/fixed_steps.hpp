@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "wavecurve/dynamics/detail/work_bound.hpp"
 #include "wavecurve/dynamics/initial_value_problem.hpp"
 
 namespace wavecurve::dynamics {
@@ -21,7 +22,10 @@ Trajectory in_fixed_steps(const InitialValueProblem& problem, double step, Make 
         const double h = (next - time) / count;
         // The distances of equally spaced times are the same but for rounding.
         if (!(std::abs(h / last - 1) < 1e-12)) method.set_step(last = h);
-        for (double i = 0; i < count; ++i) method.step(time + i * h);
+        for (double i = 0; i < count; ++i) {
+          method.step(time + i * h);
+          check_work(method.cost().operations, time + (i + 1) * h, problem.times.tail<1>()[0]);
+        }
       }
       time = next;
       trajectory.displacement.push_back(method.displacement());

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/dynamics/detail/tolerance.hpp"
+#include "wavecurve/dynamics/detail/work_bound.hpp"
 #include "wavecurve/dynamics/stepping/detail/implicit.hpp"
 #include "wavecurve/dynamics/stepping/detail/residual_force.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
@@ -49,6 +50,7 @@ class Rosenbrock {
   void advance(double t, double end) {
     if (h_ == 0) h_ = 1e-3 * (end - t);
     while (t < end) {
+      check_work(cost().operations);
       const bool is_last = t + h_ >= end * (1 - 1e-14);
       const double h = is_last ? end - t : h_;
       const double error = attempt(t, h);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <zlib.h>
@@ -43,6 +44,7 @@ std::string read_gzip(const std::filesystem::path& path, std::size_t bound) {
   if (error == Z_ERRNO) {
     throw std::system_error(errno, std::generic_category(), "cannot read " + path.string());
   }
+  if (error == Z_MEM_ERROR) throw std::bad_alloc();
   if (error == Z_BUF_ERROR) refuse("it ends too early");
   if (error != Z_OK && error != Z_STREAM_END) refuse("its gzip data are damaged");
   return bytes;

@@ -1,8 +1,11 @@
 #include "wavecurve/motion/morph/detail/assignment.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace wavecurve::motion {
 
@@ -76,6 +79,17 @@ class Assignment {
 };
 
 }  // namespace
+
+void check_assignment(std::string_view what, std::size_t rows, std::size_t columns) {
+  constexpr double most_operations = 1e10;
+  const auto few = static_cast<double>(std::min(rows, columns));
+  const auto many = static_cast<double>(std::max(rows, columns));
+  if (few * few * many <= most_operations) return;
+  throw std::domain_error(fmt::format(
+      "{} and {} {} cannot be matched: the square of the smaller number times the larger one "
+      "is {}, but must be at most {}",
+      rows, columns, what, few * few * many, most_operations));
+}
 
 std::vector<std::optional<Index>> optimal_assignment(
     const Eigen::Ref<const Eigen::MatrixXd>& cost) {

@@ -13,10 +13,6 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using In = const Eigen::Ref<const Contour>&;
 
-bool is_filled(int winding, FillRule rule) {
-  return rule == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
-}
-
 /// Where the horizontal line at y meets the polygon, in increasing x.
 std::vector<double> meetings(In contour, double y) {
   std::vector<double> found;
@@ -53,6 +49,10 @@ Stretch widest_stretch(In contour) {
 }
 
 }  // namespace
+
+bool is_filled(int winding, FillRule rule) {
+  return rule == FillRule::nonzero ? winding != 0 : winding % 2 != 0;
+}
 
 int winding_number(In contour, const Vector2d& point) {
   int winding = 0;

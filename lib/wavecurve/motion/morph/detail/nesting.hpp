@@ -14,6 +14,9 @@ namespace wavecurve::motion {
 /// polygon that of one of its sides.
 int winding_number(const Eigen::Ref<const Contour>& contour, const Eigen::Vector2d& point);
 
+/// Whether a fill rule fills what a drawing winds round so often.
+bool is_filled(int winding, FillRule rule);
+
 /// Whether contour i of an outline bounds a hole: what lies on its inner side is not filled, what
 /// lies on its outer side is. Contours of an outline do not cross each other.
 bool is_hole(const std::vector<Contour>& outline, std::size_t i, FillRule rule);

@@ -75,14 +75,16 @@ std::vector<LayerMatch> painting_order(const std::vector<LayerMatch>& matches,
   }
   std::vector<Eigen::Index> left(matches.size());
   std::iota(left.begin(), left.end(), 0);
+  // How many of those left come before each.
+  Eigen::VectorX<Eigen::Index> waits_for =
+      precedes.cast<Eigen::Index>().colwise().sum().transpose();
   std::vector<LayerMatch> ordered;
   while (!left.empty()) {
-    auto next = std::find_if(left.begin(), left.end(), [&](Eigen::Index candidate) {
-      return std::none_of(left.begin(), left.end(),
-                          [&](Eigen::Index other) { return precedes(other, candidate); });
-    });
+    auto next = std::find_if(left.begin(), left.end(),
+                             [&](Eigen::Index candidate) { return waits_for[candidate] == 0; });
     if (next == left.end()) next = left.begin();  // a circle of demands
     ordered.push_back(matches[static_cast<std::size_t>(*next)]);
+    waits_for -= precedes.row(*next).cast<Eigen::Index>().transpose();
     left.erase(next);
   }
   return ordered;

@@ -6,6 +6,7 @@
 
 #include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/motion/morph/detail/assignment.hpp"
+#include "wavecurve/motion/morph/detail/holes.hpp"
 #include "wavecurve/motion/morph/detail/nesting.hpp"
 
 namespace wavecurve::motion {
@@ -73,6 +74,7 @@ ContourPair pair(In from, In to, Rotation rotation, std::optional<Index> start) 
 void append_pairs(const Outline& source, const Outline& destination, const Outline& source_ground,
                   const Outline& destination_ground, Rotation rotation, std::optional<Index> start,
                   std::vector<ContourPair>& pairs) {
+  check_assignment("contours", source.size(), destination.size());
   Eigen::MatrixXd costs(source.size(), destination.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     for (std::size_t j = 0; j < destination.size(); ++j) {
@@ -100,13 +102,10 @@ void append_pairs(const Outline& source, const Outline& destination, const Outli
 }  // namespace
 
 std::vector<Contour> oriented(std::vector<Contour> outline, std::optional<FillRule> rule) {
-  std::vector<bool> is_to_reverse;
+  const std::vector<bool> hole =
+      rule ? holes(outline, *rule) : std::vector<bool>(outline.size(), false);
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const bool hole = rule && is_hole(outline, i, *rule);
-    is_to_reverse.push_back((signed_area(outline[i]) >= 0) == hole);
-  }
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (!is_to_reverse[i]) continue;
+    if ((signed_area(outline[i]) >= 0) != hole[i]) continue;
     // The first point stays the first.
     const Index others = outline[i].rows() - 1;
     outline[i].bottomRows(others) = outline[i].bottomRows(others).colwise().reverse().eval();

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/io/drawings/detail/svg/drawing_test.hpp"
+#include "wavecurve/io/drawings/detail/svg/style_sheet.hpp"
+#include "wavecurve/io/drawings/detail/svg/warnings.hpp"
+#include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
 
 namespace wavecurve::io {
 namespace {
@@ -137,6 +140,33 @@ TEST(BadSvg, AMillionSegmentsAreRead) {
     data += "C1.25 2.5 " + std::to_string(i % 97) + ".5 7.75 " + std::to_string(i % 89) + " 1";
   }
   EXPECT_EQ(test::path_of(data).at(0).segments.size(), 1000000U);
+}
+
+TEST(BadSvg, AttributesAreCountedAndNotCompared) {
+  std::string many;
+  for (int i = 0; i <= most_attributes; ++i) many += " a" + std::to_string(i) + "='\"'";
+  EXPECT_EQ(refused("<svg>\n<path" + many + "/></svg>"),
+            "line 2: an element has more than 10000 attributes");
+  // What stands in comments and other sections is none.
+  const std::string apart = repeated("'\"", 3 * most_attributes);
+  EXPECT_NO_THROW(read_svg("<?a " + apart + "?><svg><!-- <a " + apart + " --><style><![CDATA[ <a " +
+                           apart + "]]></style><path d='M0 0H9V9Z'/></svg>"));
+}
+
+TEST(BadSvg, StyleSheetsTakeSoManySteps) {
+  EXPECT_EQ(
+      refused("<svg><style>" + repeated("path{x:1;y:2}", 10'000) + "</style>" +
+              repeated("<path d='M0 0H9V9Z'/>", 2'000) + "</svg>"),
+      "more than " + std::to_string(StyleSheet::most_steps) + " steps to apply the style sheet");
+}
+
+TEST(BadSvg, AThousandWarningsAreTwentyAndACount) {
+  std::string body = "<path d='M0 0H9V9Z'/>";
+  for (int i = 0; i < 1000; ++i) body += "<x" + std::to_string(i % 500) + "/>";
+  const auto warnings = read_svg("<svg><mystery/>" + body + "</svg>").warnings;
+  ASSERT_EQ(warnings.size(), Warnings::most_of_a_kind + 1);
+  EXPECT_EQ(warnings[0], "the element mystery is not supported");
+  EXPECT_EQ(warnings.back(), "481 more like \"the element x18 is not supported\"");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class SvgReader {
                                                          : "nothing is painted: " + nothing_drawn_);
     }
     if (file_.drawing.view_box.width == 0) file_.drawing.view_box = fit_view_box(file_.drawing);
-    file_.warnings = warnings_.list;
+    file_.warnings = warnings_.list();
     return std::move(file_);
   }
 
@@ -140,7 +140,7 @@ class SvgReader {
   }
 
   void warn_of_element(const XmlElement& element) {
-    warnings_.add("the element " + shown(element.name) + " is not supported");
+    warnings_.add("the element {} is not supported", shown(element.name));
   }
 
   void draw_children(const XmlElement& element, Scene scene) {
@@ -157,7 +157,7 @@ class SvgReader {
     const auto found =
         reference.starts_with('#') ? elements_.find(reference.substr(1)) : elements_.end();
     if (found == elements_.end()) {
-      warnings_.add("use of '" + shown(reference) + "', which is not in the file");
+      warnings_.add("use of '{}', which is not in the file", shown(reference));
       return;
     }
     const XmlElement& target = *found->second;
@@ -239,7 +239,8 @@ class SvgReader {
     const double scale = std::sqrt(std::abs(scene.transform.linear().determinant()));
     Layer layer{id, {}, paint_of(scene.style, scale)};
     if (!scene.style.visible || (!layer.paint.fill && !layer.paint.stroke)) {
-      nothing_drawn_ = fmt::format("line {}: {} has neither fill nor stroke", shape.line, id);
+      nothing_drawn_ =
+          fmt::format("line {}: {} has neither fill nor stroke", shape.line, shown(id));
       return;
     }
     for (const auto& child : shape.children) {
@@ -251,8 +252,8 @@ class SvgReader {
     });
     std::erase_if(layer.subpaths, has_no_length);
     if (layer.subpaths.empty()) {
-      nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, id);
-      warnings_.add(nothing_drawn_);
+      nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, shown(id));
+      warnings_.add("line {}: {} has no length", shape.line, shown(id));
       return;
     }
     warn_of_uneven_stroke(layer.paint, scene.transform);
@@ -298,8 +299,9 @@ class SvgReader {
     }
     const bool filled = !layer.subpaths.empty(), stroked = stroke.paint.stroke.has_value();
     if (!filled && !stroked) {
-      nothing_drawn_ = fmt::format("line {}: {} is a line without stroke", shape.line, layer.id);
-      warnings_.add(nothing_drawn_);
+      nothing_drawn_ =
+          fmt::format("line {}: {} is a line without stroke", shape.line, shown(layer.id));
+      warnings_.add("line {}: {} is a line without stroke", shape.line, shown(layer.id));
       return;
     }
     if (filled && stroked) stroke.id += "-stroke";

@@ -1,6 +1,9 @@
 #include "wavecurve/io/drawings/detail/svg/style_sheet.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "wavecurve/io/files/detail/text.hpp"
 
@@ -52,6 +55,13 @@ constexpr std::string_view presentation_attributes[] = {
     "stop-color",     "stop-opacity",    "stroke",         "stroke-dasharray",
     "stroke-linecap", "stroke-linejoin", "stroke-opacity", "stroke-width",
     "visibility"};
+
+constexpr std::size_t most_classes = 16;  // of one compound
+
+/// A step is what it takes to compare a name; classes are split anew each time.
+std::size_t steps_to_match(const XmlElement& element) {
+  return 1 + element.attribute("class").size() / 16;
+}
 
 }  // namespace
 
@@ -118,6 +128,7 @@ bool StyleSheet::parse_selector(std::string_view text, std::vector<Compound>& se
       std::string name = take_name(text);
       if (name.empty()) return false;
       if (is_class) {
+        if (compound.classes.size() == most_classes) return false;
         compound.classes.push_back(std::move(name));
       } else {
         compound.id = std::move(name);
@@ -129,14 +140,18 @@ bool StyleSheet::parse_selector(std::string_view text, std::vector<Compound>& se
   return !child && !selector.empty();
 }
 
-bool StyleSheet::matches(const std::vector<Compound>& selector, const XmlElement& element) {
+bool StyleSheet::matches(const std::vector<Compound>& selector, const XmlElement& element) const {
+  take_steps(steps_to_match(element));
   if (!selector.back().matches(element)) return false;
+  if (selector.size() == 1) return true;
   std::vector<const XmlElement*> line;  // from the root down to the element
-  for (const XmlElement* up = &element; up; up = up->parent) line.insert(line.begin(), up);
+  for (const XmlElement* up = &element; up; up = up->parent) line.push_back(up);
+  std::reverse(line.begin(), line.end());
   // Which compounds, counted from the first, have been found with the last of them at the element
   // just visited, and at any before.
   std::vector<bool> here(selector.size()), before(selector.size());
   for (const XmlElement* visited : line) {
+    take_steps(selector.size() * steps_to_match(*visited));
     std::vector<bool> found(selector.size());
     for (std::size_t i = 0; i < selector.size(); ++i) {
       const bool led_to = i == 0 || (selector[i].child ? here[i - 1] : before[i - 1]);
@@ -155,8 +170,8 @@ void StyleSheet::add(std::string_view css, Warnings& warnings) {
     const std::size_t open = rest.find('{');
     const std::size_t statement = rest.find(';');
     if (rest.front() == '@') {
-      warnings.add("the CSS rule " + shown(rest.substr(0, rest.find_first_of(" \t\r\n{;"))) +
-                   " is not supported");
+      warnings.add("the CSS rule {} is not supported",
+                   shown(rest.substr(0, rest.find_first_of(" \t\r\n{;"))));
       const bool block = open < statement;
       const std::size_t end =
           block ? end_of_block(rest, open) : std::min(statement, rest.size() - 1) + 1;
@@ -164,7 +179,7 @@ void StyleSheet::add(std::string_view css, Warnings& warnings) {
       continue;
     }
     if (open == std::string_view::npos) {
-      warnings.add("not CSS: '" + shown(rest) + "'");
+      warnings.add("not CSS: '{}'", shown(rest));
       break;
     }
     const std::size_t end = end_of_block(rest, open);
@@ -175,21 +190,30 @@ void StyleSheet::add(std::string_view css, Warnings& warnings) {
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view block, Warnings& warnings) {
   if (block.ends_with('}')) block.remove_suffix(1);
-  const auto declarations = declarations_of(block);
+  const auto declarations =
+      std::make_shared<const std::vector<Declaration>>(declarations_of(block));
   for (std::string_view text : split(selectors, ",")) {
     Rule rule{{}, declarations};
     if (parse_selector(text, rule.selector)) {
-      const auto less_specific = [](const Rule& left, const Rule& right) {
-        return left.specificity() < right.specificity();
-      };
-      rules_.insert(std::upper_bound(rules_.begin(), rules_.end(), rule, less_specific), rule);
+      const auto specificity = rule.specificity();
+      rules_.emplace(specificity, std::move(rule));
     } else {
-      warnings.add("the CSS selector '" + shown(text) + "' is not supported");
+      warnings.add("the CSS selector '{}' is not supported", shown(text));
     }
   }
 }
 
+void StyleSheet::take_steps(std::size_t count) const {
+  steps_ += count;
+  if (steps_ > most_steps) {
+    throw std::invalid_argument(
+        fmt::format("more than {} steps to apply the style sheet", most_steps));
+  }
+}
+
 Properties StyleSheet::cascade(const XmlElement& element) const {
+  constexpr std::size_t steps_of_attributes = 50;  // they take as long as so many rules
+  take_steps(steps_of_attributes);
   Properties properties;
   for (std::string_view name : presentation_attributes) {
     if (const auto value = trimmed(element.attribute(name)); !value.empty()) {
@@ -197,9 +221,12 @@ Properties StyleSheet::cascade(const XmlElement& element) const {
     }
   }
   std::vector<const Declaration*> declarations;
-  for (const Rule& rule : rules_) {
+  for (const auto& [specificity, rule] : rules_) {
     if (!matches(rule.selector, element)) continue;
-    for (const Declaration& declaration : rule.declarations) declarations.push_back(&declaration);
+    for (const Declaration& declaration : *rule.declarations) {
+      take_steps(4 + declaration.value.size() / 64);
+      declarations.push_back(&declaration);
+    }
   }
   const auto own = declarations_of(element.attribute("style"));
   for (const Declaration& declaration : own) declarations.push_back(&declaration);

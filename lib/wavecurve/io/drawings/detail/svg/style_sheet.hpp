@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +25,11 @@ class StyleSheet {
 
   /// The declarations that win for an element: its presentation attributes, overruled by the rules
   /// in the order of their specificity, by its attribute `style`, and by what is !important.
+  /// Throws std::invalid_argument if all calls together take too long: rules that are tried,
+  /// elements that a selector looks at, and declarations are counted, most_steps at most.
   Properties cascade(const XmlElement& element) const;
+
+  static constexpr std::size_t most_steps = 100'000'000;
 
  private:
   struct Compound {
@@ -38,16 +44,19 @@ class StyleSheet {
   };
   struct Rule {
     std::vector<Compound> selector;
-    std::vector<Declaration> declarations;
+    std::shared_ptr<const std::vector<Declaration>> declarations;  ///< of several selectors
     std::array<int, 3> specificity() const;
   };
 
   static std::vector<Declaration> declarations_of(std::string_view text);
   static bool parse_selector(std::string_view text, std::vector<Compound>& selector);
-  static bool matches(const std::vector<Compound>& selector, const XmlElement& element);
+  bool matches(const std::vector<Compound>& selector, const XmlElement& element) const;
+  void take_steps(std::size_t count) const;
   void add_rule(std::string_view selectors, std::string_view block, Warnings& warnings);
 
-  std::vector<Rule> rules_;  ///< the more specific, then the later one, last
+  /// The more specific, then the later one, last.
+  std::multimap<std::array<int, 3>, Rule> rules_;
+  mutable std::size_t steps_ = 0;
 };
 
 }  // namespace wavecurve::io

@@ -46,8 +46,7 @@ class StyleReader {
     return found->second;
   }
   void warn_of_value(std::string_view property, std::string_view value) const {
-    source_.warnings.add("the " + std::string(property) + " '" + shown(value) +
-                         "' is not supported");
+    source_.warnings.add("the {} '{}' is not supported", property, shown(value));
   }
 
   void read_colour(std::string_view property, TransparentColour& colour,
@@ -98,12 +97,11 @@ class StyleReader {
     const auto mean =
         found == source_.elements.end() ? std::nullopt : mean_colour(*found->second, current);
     if (mean) {
-      source_.warnings.add("the gradient '" + shown(id) + "' is replaced by its mean colour");
+      source_.warnings.add("the gradient '{}' is replaced by its mean colour", shown(id));
       paint = {PaintServer::Kind::colour, *mean};
       return;
     }
-    source_.warnings.add("the " + std::string(property) + " '" + shown(value) +
-                         "' is no gradient with colours");
+    source_.warnings.add("the {} '{}' is no gradient with colours", property, shown(value));
     const std::string_view instead = trimmed(value.substr(std::min(end + 1, value.size())));
     paint.kind = PaintServer::Kind::none;
     if (!instead.empty() && !instead.starts_with("url(")) {
@@ -178,7 +176,7 @@ class StyleReader {
           "stroke-dasharray", "transform"}) {
       const std::string_view value = given(property);
       if (!value.empty() && value != "none") {
-        source_.warnings.add("the property " + std::string(property) + " is not supported");
+        source_.warnings.add("the property {} is not supported", property);
       }
     }
     for (std::string_view property : {"stroke-linecap", "stroke-linejoin"}) {

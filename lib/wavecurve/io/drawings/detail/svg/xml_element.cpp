@@ -1,8 +1,11 @@
 #include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <exception>
 #include <libxml/SAX2.h>
 #include <libxml/parserInternals.h>
+#include <new>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,20 +14,33 @@ namespace wavecurve::io {
 
 namespace {
 
-/// Builds the tree while the parser runs. The parser is C: no exception may pass through it.
+/// Builds the tree while the parser runs. The parser is C: no exception may pass through it, so what
+/// is thrown is kept (see `told`).
 struct TreeBuilder {
   xmlParserCtxtPtr parser = nullptr;
   std::unique_ptr<XmlElement> root;
   std::vector<XmlElement*> open;  // the elements that have not ended, each in the one before
   int elements = 0;
-  std::string defect;
+  std::exception_ptr defect;
 
-  void refuse(const std::string& what) {
-    if (defect.empty()) defect = fmt::format("line {}: {}", line(), what);
-    xmlStopParser(parser);
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::invalid_argument(fmt::format("line {}: {}", line(), what));
   }
   int line() const { return parser->input ? parser->input->line : 0; }
 };
+
+/// Lets the builder that the parser passes on act, until anything is thrown.
+template <typename Action>
+void told(void* context, const Action& action) noexcept {
+  auto& tree = *static_cast<TreeBuilder*>(context);
+  if (tree.defect) return;
+  try {
+    action(tree);
+  } catch (...) {
+    tree.defect = std::current_exception();
+    xmlStopParser(tree.parser);
+  }
+}
 
 std::string text_of(const xmlChar* text) {
   return text ? reinterpret_cast<const char*>(text) : std::string();
@@ -50,49 +66,51 @@ void add_attributes(XmlElement& element, int count, const xmlChar** attributes) 
 
 void start_element(void* context, const xmlChar* name, const xmlChar*, const xmlChar* uri, int,
                    const xmlChar**, int attribute_count, int, const xmlChar** attributes) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (!tree.defect.empty()) return;
-  if (tree.open.size() == deepest_nesting) {
-    return tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
-  }
-  if (++tree.elements > most_elements) {
-    return tree.refuse(fmt::format("more than {} elements", most_elements));
-  }
-  auto element = std::make_unique<XmlElement>();
-  if (is_svg(uri)) element->name = text_of(name);
-  element->line = tree.line();
-  if (!tree.open.empty()) element->parent = tree.open.back();
-  add_attributes(*element, attribute_count, attributes);
-  XmlElement* const added = element.get();
-  (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) = std::move(element);
-  tree.open.push_back(added);
+  told(context, [&](TreeBuilder& tree) {
+    if (tree.open.size() == deepest_nesting) {
+      tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
+    }
+    if (++tree.elements > most_elements) {
+      tree.refuse(fmt::format("more than {} elements", most_elements));
+    }
+    auto element = std::make_unique<XmlElement>();
+    if (is_svg(uri)) element->name = text_of(name);
+    element->line = tree.line();
+    if (!tree.open.empty()) element->parent = tree.open.back();
+    add_attributes(*element, attribute_count, attributes);
+    XmlElement* const added = element.get();
+    (tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back()) =
+        std::move(element);
+    tree.open.push_back(added);
+  });
 }
 
 void end_element(void* context, const xmlChar*, const xmlChar*, const xmlChar*) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (tree.defect.empty()) tree.open.pop_back();
+  told(context, [](TreeBuilder& tree) { tree.open.pop_back(); });
 }
 
 void add_text(void* context, const xmlChar* text, int length) {
-  auto& tree = *static_cast<TreeBuilder*>(context);
-  if (!tree.open.empty()) {
+  told(context, [&](TreeBuilder& tree) {
+    if (tree.open.empty()) return;
     tree.open.back()->text.append(reinterpret_cast<const char*>(text),
                                   static_cast<std::size_t>(length));
-  }
+  });
 }
 
 void refuse_entity(void* context, const xmlChar* name, int, const xmlChar*, const xmlChar*,
                    xmlChar*) {
-  static_cast<TreeBuilder*>(context)->refuse(
-      fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+  told(context, [&](const TreeBuilder& tree) {
+    tree.refuse(fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+  });
 }
 
 void refuse_attribute(void* context, const xmlChar* element, const xmlChar* name, int, int,
                       const xmlChar*, xmlEnumerationPtr values) {
   xmlFreeEnumeration(values);
-  static_cast<TreeBuilder*>(context)->refuse(
-      fmt::format("declares the attribute {} of {}; declarations are not used", text_of(name),
-                  text_of(element)));
+  told(context, [&](const TreeBuilder& tree) {
+    tree.refuse(fmt::format("declares the attribute {} of {}; declarations are not used",
+                            text_of(name), text_of(element)));
+  });
 }
 
 xmlSAXHandler handler() {
@@ -107,8 +125,38 @@ xmlSAXHandler handler() {
   return sax;
 }
 
+/// Refuses elements with too many attributes before libxml2 reads them. Outside of comments, of what begins
+/// with <! or <?, and of closing tags, an attribute ends with the second quote of its kind.
+void check_attributes(std::string_view bytes) {
+  const auto skip_behind = [&](std::size_t from, std::string_view end) {
+    return std::min(bytes.find(end, from), bytes.size());
+  };
+  for (std::size_t i = 0; (i = bytes.find('<', i)) != std::string_view::npos;) {
+    const std::string_view rest = bytes.substr(i);
+    if (rest.starts_with("<!--")) {
+      i = skip_behind(i, "-->");
+    } else if (rest.starts_with("<![CDATA[")) {
+      i = skip_behind(i, "]]>");
+    } else if (rest.starts_with("<!") || rest.starts_with("<?")) {
+      i = skip_behind(i, ">");
+    } else {
+      int attributes = 0;
+      for (++i; i < bytes.size() && bytes[i] != '>'; ++i) {
+        if (bytes[i] != '"' && bytes[i] != '\'') continue;
+        if (++attributes > most_attributes) {
+          throw std::invalid_argument(fmt::format("line {}: an element has more than {} attributes",
+                                                  1 + std::ranges::count(bytes.substr(0, i), '\n'),
+                                                  most_attributes));
+        }
+        i = skip_behind(i + 1, bytes.substr(i, 1));
+      }
+    }
+  }
+}
+
 std::string error_of(xmlParserCtxtPtr parser) {
   const xmlError* const error = xmlCtxtGetLastError(parser);
+  if (error && error->code == XML_ERR_NO_MEMORY) throw std::bad_alloc();
   if (!error || !error->message) return "not XML";
   std::string message = error->message;
   while (!message.empty() && message.back() == '\n') message.pop_back();
@@ -131,11 +179,13 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 }
 
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
+  if (bytes.empty()) throw std::invalid_argument("not XML: it is empty");
+  check_attributes(bytes);
   static const bool initialized = (xmlInitParser(), true);
   static_cast<void>(initialized);
   const std::unique_ptr<xmlParserCtxt, FreeParser> parser(
       xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
-  if (!parser) throw std::invalid_argument("not XML: it is empty");
+  if (!parser) throw std::bad_alloc();
   TreeBuilder tree;
   tree.parser = parser.get();
   *parser->sax = handler();
@@ -144,7 +194,7 @@ std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
   xmlCtxtUseOptions(parser.get(),
                     XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
   xmlParseDocument(parser.get());
-  if (!tree.defect.empty()) throw std::invalid_argument(tree.defect);
+  if (tree.defect) std::rethrow_exception(tree.defect);
   if (!parser->wellFormed || !tree.root) throw std::invalid_argument(error_of(parser.get()));
   return std::move(tree.root);
 }

@@ -21,12 +21,13 @@ struct XmlElement {
   std::string_view attribute(std::string_view key) const;
 };
 
-/// How many elements may lie in each other, and how many there may be.
-constexpr int deepest_nesting = 256, most_elements = 1'000'000;
+/// How many elements may lie in each other, how many there may be, and how many attributes each may have
+/// (libxml2 compares every two of them).
+constexpr int deepest_nesting = 256, most_elements = 1'000'000, most_attributes = 10'000;
 
 /// The tree of a document. Nothing outside of it is read, and no entity is expanded. Throws
 /// std::invalid_argument naming the line of what is not XML, of a declared entity or attribute, or
-/// of an element too many or too deep.
+/// of an element too many, too deep, or with too many attributes.
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes);
 
 }  // namespace wavecurve::io

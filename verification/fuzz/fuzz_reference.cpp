@@ -1,0 +1,16 @@
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "wavecurve/io/files/detail/fuzzed_file_test.hpp"
+
+#include "verification/suite/reference.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const wavecurve::io::FuzzedFile file(bytes, size);
+  try {
+    wavecurve::verification::read_reference(file.path());
+  } catch (const std::invalid_argument&) {
+  }
+  return 0;
+}
