@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
-#include "wavecurve/transform/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/stockham_transform.cpp"
 #include <hwy/foreach_target.h>

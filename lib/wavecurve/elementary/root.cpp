@@ -1,0 +1,34 @@
+#include "wavecurve/elementary/root.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "wavecurve/filters/detail/bad_value.hpp"
+
+namespace wavecurve {
+
+double whole_power(double x, int n) {
+  double power = n > 0 ? x : 1;
+  for (int i = 1; i < n; ++i) power *= x;
+  return power;
+}
+
+double root(double x, int n) {
+  check_between("n of a root", n, 2, 16);
+  if (!(x >= 0)) throw std::domain_error(must_be("the radicand", x, "at least 0"));
+  if (x == 0 || std::isinf(x)) return x;
+  // x = m 2^(n e) with 1/2^n <= m < 1, so that no power of a value in between overflows.
+  int exponent;
+  std::frexp(x, &exponent);
+  const int e = exponent > 0 ? (exponent + n - 1) / n : -(-exponent / n);
+  const double m = std::ldexp(x, -n * e);
+  // From above, Newton's values fall until rounding is all that is left.
+  double y = 1;
+  while (true) {
+    const double next = y + (m / whole_power(y, n - 1) - y) / n;
+    if (!(next < y)) return std::ldexp(y, e);
+    y = next;
+  }
+}
+
+}  // namespace wavecurve
