@@ -1,7 +1,8 @@
 #include "wavecurve/elementary/root.hpp"
 
 #include <cmath>
-#include <stdexcept>
+#include <limits>
+#include <numbers>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 
@@ -13,9 +14,15 @@ double whole_power(double x, int n) {
   return power;
 }
 
+double power_of_root_two(int k) {
+  const int half = k >= 0 ? k / 2 : -((1 - k) / 2);
+  return std::ldexp(k % 2 == 0 ? 1 : std::numbers::sqrt2, half);
+}
+
 double root(double x, int n) {
   check_between("n of a root", n, 2, 16);
-  if (!(x >= 0)) throw std::domain_error(must_be("the radicand", x, "at least 0"));
+  if (x < 0 && n % 2 != 0) return -root(-x, n);
+  if (!(x >= 0)) return std::numeric_limits<double>::quiet_NaN();
   if (x == 0 || std::isinf(x)) return x;
   // x = m 2^(n e) with 1/2^n <= m < 1, so that no power of a value in between overflows.
   int exponent;

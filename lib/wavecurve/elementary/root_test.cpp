@@ -33,10 +33,18 @@ TEST(Root, OfSpecialValues) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(root(0, 5), 0);
   EXPECT_EQ(root(infinity, 5), infinity);
-  EXPECT_THROW(root(-1, 3), std::domain_error);
-  EXPECT_THROW(root(std::nan(""), 3), std::domain_error);
+  EXPECT_EQ(root(-27, 3), -3);
+  EXPECT_TRUE(std::isnan(root(-1, 2)) && std::isnan(root(std::nan(""), 3)));
   EXPECT_THROW(root(1, 1), std::invalid_argument);
   EXPECT_THROW(root(1, 17), std::invalid_argument);
+}
+
+TEST(PowerOfRootTwo, IsRoundedToNearest) {
+  EXPECT_EQ(power_of_root_two(0), 1);
+  EXPECT_EQ(power_of_root_two(-6), 1.0 / 8);
+  for (int k = -9; k < 10; k += 2) {
+    EXPECT_EQ(power_of_root_two(k), std::sqrt(std::ldexp(1.0, k))) << k;
+  }
 }
 
 TEST(WholePower, IsAProduct) {

@@ -11,6 +11,9 @@
 #include <fmt/format.h>
 
 #include "wavecurve/dynamics/schulz_inverse.hpp"
+#include "wavecurve/elementary/exponential.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/spectrum.hpp"
@@ -44,13 +47,14 @@ Sparse damping_matrix(double condition) {
 MatrixXd general_matrix(double condition) {
   const auto reflection = [](double frequency) -> MatrixXd {
     Eigen::VectorXd normal(samples);
-    for (Index i = 0; i < samples; ++i) normal[i] = std::cos(frequency * static_cast<double>(i));
+    for (Index i = 0; i < samples; ++i) normal[i] = cosine(frequency * static_cast<double>(i));
     normal.normalize();
     return MatrixXd::Identity(samples, samples) - 2 * normal * normal.transpose();
   };
   Eigen::VectorXd values(samples);
   for (Index i = 0; i < samples; ++i) {
-    values[i] = std::pow(condition, static_cast<double>(i) / static_cast<double>(samples - 1));
+    values[i] = exponential(logarithm(condition) * static_cast<double>(i) /
+                            static_cast<double>(samples - 1));
   }
   return reflection(1) * values.asDiagonal() * reflection(2);
 }
@@ -71,7 +75,7 @@ Run analysed(std::vector<double> residuals) {
   run.end = run.begin;
   while (run.end + 1 < r.size() && r[run.end + 1] <= 1.1 * r[run.end] * r[run.end]) ++run.end;
   if (run.end >= 2 && r[run.end - 2] < 1) {
-    run.order = std::log(r[run.end] / r[run.end - 1]) / std::log(r[run.end - 1] / r[run.end - 2]);
+    run.order = logarithm(r[run.end] / r[run.end - 1]) / logarithm(r[run.end - 1] / r[run.end - 2]);
   }
   return run;
 }
