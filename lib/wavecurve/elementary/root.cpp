@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "wavecurve/elementary/detail/exact_product.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve {
@@ -13,6 +14,22 @@ double whole_power(double x, int n) {
   for (int i = 1; i < n; ++i) power *= x;
   return power;
 }
+
+namespace {
+
+/// One step of Newton's more from a value next to the root, with the power y^n in twice the digits:
+/// what it leaves is the rounding of the last sum.
+double corrected(double y, double x, int n) {
+  double power = y, error = 0;
+  for (int i = 1; i < n; ++i) {
+    const double next = power * y;
+    error = error * y + elementary::product_error(power, y, next);
+    power = next;
+  }
+  return y + ((x - power) - error) / (n * whole_power(y, n - 1));
+}
+
+}  // namespace
 
 double power_of_root_two(int k) {
   const int half = k >= 0 ? k / 2 : -((1 - k) / 2);
@@ -33,7 +50,7 @@ double root(double x, int n) {
   double y = 1;
   while (true) {
     const double next = y + (m / whole_power(y, n - 1) - y) / n;
-    if (!(next < y)) return std::ldexp(y, e);
+    if (!(next < y)) return std::ldexp(corrected(y, m, n), e);
     y = next;
   }
 }

@@ -71,7 +71,7 @@ class StepDoubling {
     const double error = norm_(x, dxdt_, coarse_, h);
     // The error of a step of order 4 goes with h^5; growing less boldly than shrinking is usual.
     if (error > 1) {
-      h *= std::max(0.9 / root(error, 4), 0.2);
+      h *= std::max(0.9 / std::sqrt(std::sqrt(error)), 0.2);
       return odeint::fail;
     }
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = fine_[i] + coarse_[i];
