@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "wavecurve/transform/detail/highway_targets.hpp"
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "benchmarks/kernels/limits.cpp"
 #include <hwy/foreach_target.h>

@@ -3,6 +3,7 @@
 // Everything of the link target wavecurve::wavecurve: numerics in double and float.
 //
 //   filters/     filter banks by name or from one's own taps: find_filter_bank, FilterBank
+//   elementary/  sine, cosine, exponential and others with the same bits on every processor
 //   transform/   the periodic wavelet transform, in place, of many columns; the Fourier transform
 //   operators/   connection coefficients; stiffness, mass and damping matrices; their spectra
 //   curves/      contours and drawings, sampling, wavelet coefficients, descriptors, crossings
@@ -35,6 +36,11 @@
 #include "wavecurve/dynamics/stepping/coupled.hpp"
 #include "wavecurve/dynamics/stepping/massless.hpp"
 #include "wavecurve/dynamics/translation.hpp"
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/exponential.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/root.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/autocorrelation.hpp"
 #include "wavecurve/filters/connection_coefficients.hpp"
 #include "wavecurve/filters/filter.hpp"

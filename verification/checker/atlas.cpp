@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/certified/ball.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
 
 namespace wavecurve::verification {
 
@@ -43,7 +44,7 @@ int right_digits_of(const CheckedTable& table) {
   for (const auto& [name, sizes] : columns) {
     const auto [largest, error] = sizes;
     if (error == 0 || largest == 0) continue;
-    digits = std::min(digits, static_cast<int>(std::floor(std::log10(largest / error))));
+    digits = std::min(digits, static_cast<int>(std::floor(logarithm_10(largest / error))));
   }
   return std::max(digits, 0);
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/root.hpp"
+
 namespace wavecurve::verification {
 
 namespace {
@@ -70,7 +72,7 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
   for (const CheckedRow& row : table.rows) {
     ++number;
     if (row.ulps == 0) continue;
-    const double unit = std::pow(10.0, -row.entry.number.decimals());
+    const double unit = 1 / whole_power(10, row.entry.number.decimals());
     chart.data.rows.push_back(
         {std::to_string(number), name_of(row.entry), fmt::format("{:.3e}", row.ulps * unit),
          fmt::format("{:.1e}", unit / 2), std::string(to_string(row.verdict))});

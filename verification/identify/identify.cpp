@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "wavecurve/certified/ball.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/root.hpp"
 
 namespace wavecurve::verification {
 
@@ -109,7 +111,7 @@ std::vector<Candidate> candidates_of(const Query& query) {
     const double size = std::abs(query.values[i]), tolerance = query.tolerances[i];
     if (size == 0) continue;
     for (int k = -most_half_powers; k <= most_half_powers; ++k) {
-      const double scale = std::pow(std::numbers::sqrt2, k);
+      const double scale = power_of_root_two(k);
       plain.find(size / scale, tolerance / scale, [&](std::size_t c) { ++votes[{c, k}]; });
     }
     divided.find(size / query.largest, 2 * tolerance / query.largest,
@@ -117,7 +119,7 @@ std::vector<Candidate> candidates_of(const Query& query) {
   }
   std::vector<Candidate> candidates;
   for (const auto& [key, count] : votes) {
-    candidates.push_back({key.first, std::pow(std::numbers::sqrt2, key.second), key.second, count});
+    candidates.push_back({key.first, power_of_root_two(key.second), key.second, count});
   }
   for (const auto& [column, count] : votes_of_divided) {
     double largest = 0;
@@ -210,14 +212,14 @@ class Overlay {
     if (error > query_.tolerances[i]) return;
     ++match.matched;
     const double size = std::abs(query_.values[i]);
-    match.evidence += size > query_.tolerances[i] ? std::log10(size / query_.tolerances[i]) : 0;
+    match.evidence += size > query_.tolerances[i] ? logarithm_10(size / query_.tolerances[i]) : 0;
     worst = std::max(worst, error);
   }
 
   void finish(Match& match, double worst) const {
     constexpr double most_digits = 17;
     match.digits = worst == 0 ? most_digits
-                              : std::clamp(-std::log10(worst / query_.largest), 0.0, most_digits);
+                              : std::clamp(-logarithm_10(worst / query_.largest), 0.0, most_digits);
   }
 
   Match match_of(const Convention& convention) const {

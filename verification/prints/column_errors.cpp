@@ -4,15 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "wavecurve/elementary/logarithm.hpp"
+
 #include "verification/prints/print_form.hpp"
 
 namespace wavecurve::verification {
 
 PrintError error_of(const TrueValue& value, const PrintedNumber& print, bool inaccurate) {
   const double magnitude = std::abs(value.to_double());
-  const double absolute = std::log10(distance_in_units(value, print)) - print.decimals();
-  const double relative =
-      magnitude == 0 ? -std::numeric_limits<double>::infinity() : absolute - std::log10(magnitude);
+  const double absolute = logarithm_10(distance_in_units(value, print)) - print.decimals();
+  const double relative = magnitude == 0 ? -std::numeric_limits<double>::infinity()
+                                         : absolute - logarithm_10(magnitude);
   return {absolute, relative, inaccurate};
 }
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
+
 namespace wavecurve::verification {
 
 using certified::Ball;
@@ -168,7 +170,7 @@ int correct_digits(const TrueValue& value, const PrintedNumber& print) {
                                  : print.significant_digits();
   if (error == 0) return printed_digits;
   // The largest k with error < 10^(1 - k).
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(error))), 0, printed_digits);
+  return std::clamp(static_cast<int>(std::ceil(-logarithm_10(error))), 0, printed_digits);
 }
 
 double distance_in_units(const TrueValue& value, const PrintedNumber& print) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
 
 #include "verification/prints/printed_number.hpp"
@@ -86,7 +87,7 @@ struct Fit {
 Fit fit(const std::vector<EntryToPlace>& entries, const Samples& samples,
         const Convention& convention, double tolerance) {
   Fit result;
-  const double scale = std::pow(std::numbers::sqrt2, convention.half_powers);
+  const double scale = power_of_root_two(convention.half_powers);
   for (const EntryToPlace& entry : entries) {
     const int n = entry.index.integer();
     const auto value = samples[source(convention, samples.support(), n)];

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/root.hpp"
+
 namespace wavecurve::verification {
 
 namespace {
@@ -31,7 +33,7 @@ bool is_orthonormal(const std::vector<double>& taps) {
 double moment(const std::vector<double>& taps, double centre, int p, double s) {
   double sum = 0, magnitudes = 0, sign = 1;
   for (std::size_t n = 0; n < taps.size(); ++n, sign *= s) {
-    const double term = std::pow(static_cast<double>(n) - centre, p) * taps[n];
+    const double term = whole_power(static_cast<double>(n) - centre, p) * taps[n];
     sum += sign * term;
     magnitudes += std::abs(term);
   }

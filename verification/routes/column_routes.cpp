@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "wavecurve/elementary/root.hpp"
+
 #include "verification/prints/print_form.hpp"
 #include "verification/routes/route_chance.hpp"
 
@@ -20,7 +22,7 @@ struct Target {
         value(number.value()),
         unit(number.unit()),
         approximation(approximate({value, {}})),
-        approximate_unit(std::pow(10.0, -number.decimals())) {}
+        approximate_unit(1 / whole_power(10, number.decimals())) {}
 
   PrintedNumber print;
   Rational value, unit;

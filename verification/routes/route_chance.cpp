@@ -52,8 +52,9 @@ double chance_of_at_least(int least, std::span<const double> probabilities) {
 }
 
 double ways_to_choose(int n, int k) {
-  return std::round(
-      std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0)));
+  double ways = 1;
+  for (int i = 1; i <= k; ++i) ways = ways * (n - k + i) / i;
+  return std::round(ways);
 }
 
 }  // namespace wavecurve::verification

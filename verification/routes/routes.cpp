@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "wavecurve/elementary/root.hpp"
+
 #include "verification/routes/null_vector_routes.hpp"
 #include "verification/routes/tap_rules.hpp"
 
@@ -18,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 VectorXd round_to_decimals(const VectorXd& values, int decimals) {
-  const double scale = std::pow(10.0, decimals);
+  const double scale = whole_power(10, decimals);
   return values.unaryExpr([scale](double x) { return std::nearbyint(x * scale) / scale; });
 }
 

@@ -11,6 +11,9 @@
 
 #include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/exponential.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/drawings/read_drawing.hpp"
 
@@ -31,7 +34,7 @@ Contour traced(Index samples, const std::function<Point(double)>& point) {
 
 Point on_circle(double x) {
   const double angle = 2 * std::numbers::pi * x;
-  return {std::cos(angle), std::sin(angle)};
+  return {cosine(angle), sine(angle)};
 }
 
 bool is_file(const std::string& name) {
@@ -55,13 +58,13 @@ Contour named_shape(std::string_view name, Index samples) {
   }
   if (name == "star") {
     return traced(samples, [](double x) -> Point {
-      return (1 + 0.3 * std::cos(10 * std::numbers::pi * x)) * on_circle(x);
+      return (1 + 0.3 * cosine(10 * std::numbers::pi * x)) * on_circle(x);
     });
   }
   if (name == "dent") {
     return traced(samples, [](double x) -> Point {
       const double place = (x - 0.3) / 0.05;
-      return (1 - 0.6 * std::exp(-place * place)) * on_circle(x);
+      return (1 - 0.6 * exponential(-place * place)) * on_circle(x);
     });
   }
   std::vector<std::string> known = shape_names();
@@ -71,9 +74,9 @@ Contour named_shape(std::string_view name, Index samples) {
 
 Contour deformed_hoop(Index samples) {
   return traced(samples, [](double x) -> Point {
-    const double w = 0.12 * std::cos(10 * std::numbers::pi * x);
+    const double w = 0.12 * cosine(10 * std::numbers::pi * x);
     return on_circle(x).cwiseProduct(Point(1.3 + w, 0.65 + w)) +
-           Point(0, 0.3 * std::cos(4 * std::numbers::pi * x));
+           Point(0, 0.3 * cosine(4 * std::numbers::pi * x));
   });
 }
 
@@ -89,7 +92,8 @@ Contour fitted_to_circle(const Contour& contour) {
     const Point circle = on_circle(static_cast<double>(i) / static_cast<double>(samples));
     z += std::complex(centred(i, 0), centred(i, 1)) * std::complex(circle[0], -circle[1]);
   }
-  const double turn = -std::arg(z) / (2 * std::numbers::pi) * static_cast<double>(samples);
+  const double turn =
+      -arctangent(z.imag(), z.real()) / (2 * std::numbers::pi) * static_cast<double>(samples);
   const Index shift = (std::lround(turn) + samples) % samples;
   Contour fitted(samples, 2);
   for (Index i = 0; i < samples; ++i) fitted.row(i) = centred.row((i + shift) % samples);

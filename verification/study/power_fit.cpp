@@ -7,6 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::verification {
@@ -20,7 +21,7 @@ Eigen::ArrayXd logarithms(const char* name, const std::vector<double>& values) {
       throw std::invalid_argument(
           must_be(fmt::format("{} of pair {}", name, i), values[i], "above 0"));
     }
-    logs[static_cast<Eigen::Index>(i)] = std::log(values[i]);
+    logs[static_cast<Eigen::Index>(i)] = logarithm(values[i]);
   }
   return logs;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 
 #include "verification/study/named_shapes.hpp"
@@ -26,8 +27,8 @@ double evaluations(const StudyPoint& point) { return static_cast<double>(point.c
 
 /// The order between two neighbours.
 double local_order(const StudyPoint& coarse, const StudyPoint& fine) {
-  return std::log(coarse.errors->displacement_l2_max / fine.errors->displacement_l2_max) /
-         std::log(evaluations(fine) / evaluations(coarse));
+  return logarithm(coarse.errors->displacement_l2_max / fine.errors->displacement_l2_max) /
+         logarithm(evaluations(fine) / evaluations(coarse));
 }
 
 double median(std::vector<double> values) {

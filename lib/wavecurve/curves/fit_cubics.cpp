@@ -10,6 +10,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "wavecurve/elementary/arctangent.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve {
@@ -74,10 +75,11 @@ struct Turn {
     sine = before.x() * after.y() - before.y() * after.x();
     cosine = before.dot(after);
   }
-  double angle() const { return std::abs(std::atan2(sine, cosine)); }
+  double angle() const { return std::abs(arctangent(sine, cosine)); }
   /// Spares most points the angle.
   bool may_be_corner() const {
-    return cosine <= 0 || std::abs(sine) > std::tan(corner_turn) * cosine;
+    static const double slope = tangent(corner_turn);
+    return cosine <= 0 || std::abs(sine) > slope * cosine;
   }
   double sine, cosine;  ///< times the lengths of the edges
 };

@@ -2,12 +2,12 @@
 
 #include <complex>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "wavecurve/transform/dyadic_values.hpp"
+#include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 
 namespace wavecurve {
@@ -24,22 +24,21 @@ Eigen::VectorXd circulant_of_phi(const FilterBank<double>& bank, Eigen::Index sa
 }
 
 Eigen::VectorXcd symbol_of_phi(const FilterBank<double>& bank, Eigen::Index samples) {
-  Eigen::FFT<double> fft;
-  Eigen::VectorXcd symbol;
-  fft.fwd(symbol, circulant_of_phi(bank, samples));
+  Eigen::VectorXcd symbol = circulant_of_phi(bank, samples).cast<std::complex<double>>();
+  FourierTransform(samples).forward(symbol);
   return symbol;
 }
 
 /// Both columns in one: z = x + i y, since the circulants are real.
 template <class Operation>
 Contour in_frequency(const Contour& points, Operation operation) {
-  Eigen::VectorXcd z(points.rows()), spectrum;
+  Eigen::VectorXcd z(points.rows());
   z.real() = points.col(0);
   z.imag() = points.col(1);
-  Eigen::FFT<double> fft;
-  fft.fwd(spectrum, z);
-  operation(spectrum);
-  fft.inv(z, spectrum);
+  FourierTransform fourier(points.rows());
+  fourier.forward(z);
+  operation(z);
+  fourier.inverse(z);
   Contour result(points.rows(), 2);
   result << z.real(), z.imag();
   return result;

@@ -14,6 +14,7 @@
 #include "wavecurve/curves/detail/arc_length.hpp"
 #include "wavecurve/curves/detail/bezier.hpp"
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/elementary/arctangent.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 
@@ -53,7 +54,7 @@ Subpath closed_by_line(Subpath subpath) {
 
 double turn(const BezierSegment& before, const BezierSegment& after) {
   const Eigen::Vector2d a = end_direction(before), b = start_direction(after);
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+  return std::abs(arctangent(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
 /// Indices of the segments that a corner precedes.

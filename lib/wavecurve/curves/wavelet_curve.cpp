@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/transform/detail/refinement_mask.hpp"
 
 namespace wavecurve {
@@ -88,7 +89,7 @@ Eigen::Vector2d WaveletCurve::tangent(double t) const { return derivative(t, 1).
 
 double WaveletCurve::curvature(double t) const {
   const Eigen::Vector2d first = derivative(t, 1), second = derivative(t, 2);
-  return (first.x() * second.y() - first.y() * second.x()) / std::pow(first.norm(), 3);
+  return (first.x() * second.y() - first.y() * second.x()) / whole_power(first.norm(), 3);
 }
 
 }  // namespace wavecurve

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
@@ -67,7 +68,7 @@ Eigen::MatrixXd uniform_density(const LagrangeSystem& system,
   // A constant has no wavelet coefficients, and each level of (2.8) multiplies it by sqrt 2.
   Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(system.samples(), density.cols());
   coefficients.topRows(system.samples() >> system.levels()).rowwise() =
-      std::pow(2, system.levels() / 2.0) * density;
+      power_of_root_two(system.levels()) * density;
   return coefficients;
 }
 
@@ -79,7 +80,7 @@ ForceDensity attraction(const Eigen::Ref<const Eigen::RowVectorXd>& point, doubl
              const Eigen::Ref<const Eigen::MatrixXd>&) {
     const Eigen::MatrixXd distance = (-positions).rowwise() + point;
     const Eigen::ArrayXd square = distance.rowwise().squaredNorm().array() + softening * softening;
-    return Eigen::MatrixXd(distance.array().colwise() * (strength * square.pow(-1.5)));
+    return Eigen::MatrixXd(distance.array().colwise() * (strength / (square * square.sqrt())));
   };
 }
 

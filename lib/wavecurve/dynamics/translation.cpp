@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "wavecurve/elementary/root.hpp"
+
 namespace wavecurve::dynamics {
 
 namespace {
@@ -64,7 +66,7 @@ Eigen::RowVectorXd mean(const LagrangeSystem& system,
                         const Eigen::Ref<const Eigen::MatrixXd>& coefficients) {
   // Wavelets have mean zero, and each level of (2.8) multiplies the mean by sqrt 2.
   const Eigen::Index scaling = system.samples() >> system.levels();
-  return coefficients.topRows(scaling).colwise().mean() / std::pow(2, system.levels() / 2.0);
+  return coefficients.topRows(scaling).colwise().mean() / power_of_root_two(system.levels());
 }
 
 Solver with_translation(Solver solver, Translation translation) {

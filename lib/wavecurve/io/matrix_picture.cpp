@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 
@@ -28,7 +30,7 @@ std::string entry_colour(int shade) {
   const double light = 0.93 - 0.88 * (shade - 1) / (shades - 1);
   const double angle = 2 * std::numbers::pi * (0.5 / 3 + 1 - 0.9 * light);
   const double amplitude = 1.1 * light * (1 - light) / 2;
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = cosine(angle), s = sine(angle);
   const auto channel = [&](double a, double b) { return light + amplitude * (a * c + b * s); };
   return hex_colour({channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0)});
 }
@@ -38,7 +40,7 @@ struct Scale {
   double lowest = 0, highest = 1;
 
   int shade(double magnitude) const {
-    const double position = (std::log10(magnitude) - lowest) / (highest - lowest);
+    const double position = (logarithm_10(magnitude) - lowest) / (highest - lowest);
     return 1 + static_cast<int>(std::lround(std::clamp(position, 0.0, 1.0) * (shades - 1)));
   }
 };
@@ -64,7 +66,7 @@ Scale scale_of(const Eigen::MatrixXd& cells) {
     largest = std::max(largest, magnitude);
   }
   if (largest == 0) return {};
-  Scale scale{std::floor(std::log10(smallest)), std::ceil(std::log10(largest))};
+  Scale scale{std::floor(logarithm_10(smallest)), std::ceil(logarithm_10(largest))};
   scale.lowest = std::clamp(scale.lowest, scale.highest - decades_shown, scale.highest - 1);
   return scale;
 }

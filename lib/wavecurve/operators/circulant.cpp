@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
@@ -29,12 +30,18 @@ Eigen::VectorXd circulant_eigenvalues(const Filter<double>& mu, Eigen::Index sam
     throw std::invalid_argument(must_be("d", d, "even for a symmetric circulant"));
   }
   const double step = std::numbers::pi / static_cast<double>(samples);
+  // The angles are multiples of pi / samples, of which the sine has the period samples but for its
+  // sign.
+  Eigen::ArrayXd sines =
+                     step * Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)),
+                 cosines(samples);
+  sine_cosine(sines, sines, cosines);
   Eigen::VectorXd eigenvalues(samples);
   for (Eigen::Index k = 0; k < samples; ++k) {
     // cos(2 t) = 1 - 2 sin(t)^2: for d > 0 the ones sum to zero, and what is left does not cancel.
     double sum = 0;
     for (int l = mu.first_index; l <= mu.last_index(); ++l) {
-      const double sine = std::sin(step * static_cast<double>(k * l % samples));
+      const double sine = sines[k * std::abs(l) % samples];
       sum += mu[l] * (d == 0 ? 1 - 2 * sine * sine : -2 * sine * sine);
     }
     eigenvalues[k] = scale * sum;
@@ -58,19 +65,19 @@ Eigen::VectorXd circulant_symbol(const Filter<double>& mu, Eigen::Index samples,
   constexpr std::size_t block = 64;
   std::array<double, block> sines, cosines;
   for (std::size_t i = 0; i < std::min<std::size_t>(block, samples / 2 + 1); ++i) {
-    sines[i] = std::sin(step * static_cast<double>(i));
-    cosines[i] = std::cos(step * static_cast<double>(i));
+    const SineCosine small = sine_cosine(step * static_cast<double>(i));
+    sines[i] = small.sine;
+    cosines[i] = small.cosine;
   }
-  double large_sine = 0, large_cosine = 1;
+  SineCosine large = {0, 1};
   Eigen::VectorXd symbol(samples / 2 + 1);
   for (Eigen::Index k = 0; k < symbol.size(); ++k) {
     const std::size_t i = static_cast<std::size_t>(k) % block;
     if (i == 0) {
-      large_sine = std::sin(step * static_cast<double>(k));
-      large_cosine = std::cos(step * static_cast<double>(k));
+      large = sine_cosine(step * static_cast<double>(k));
     }
-    const double sine = large_sine * cosines[i] + large_cosine * sines[i];
-    const double cosine = large_cosine * cosines[i] - large_sine * sines[i];
+    const double sine = large.sine * cosines[i] + large.cosine * sines[i];
+    const double cosine = large.cosine * cosines[i] - large.sine * sines[i];
     double value = d == 0 ? sum : 0, s = sine, c = cosine;
     for (const double weight : weights) {
       value += weight * s * s;

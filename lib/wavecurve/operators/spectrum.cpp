@@ -1,19 +1,21 @@
 #include "wavecurve/operators/spectrum.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/SymEigsSolver.h>
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
+#include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 
 namespace wavecurve {
@@ -46,7 +48,9 @@ class InverseProduct {
   using Scalar = double;
   InverseProduct(const FilterBank<double>& bank, const ConnectionCoefficients<double>& coefficients,
                  Eigen::Index samples, int levels)
-      : transform_(bank, samples, levels), workspace_(transform_.workspace_size()) {
+      : transform_(bank, samples, levels),
+        fourier_(samples),
+        workspace_(transform_.workspace_size()) {
     inverse_eigenvalues_ =
         circulant_eigenvalues(coefficients.mu, samples, 2 * coefficients.p).cwiseInverse();
     if (coefficients.p == 0) return;
@@ -60,10 +64,11 @@ class InverseProduct {
     Eigen::VectorXd coefficients = Eigen::Map<const Eigen::VectorXd>(x, rows()), samples(rows());
     project(coefficients);
     transform_.forward_adjoint(coefficients, samples, workspace_);
-    Eigen::VectorXcd spectrum;
-    fft_.fwd(spectrum, samples);
+    Eigen::VectorXcd spectrum = samples.cast<std::complex<double>>();
+    fourier_.forward(spectrum);
     spectrum.array() *= inverse_eigenvalues_.array();
-    fft_.inv(samples, spectrum);
+    fourier_.inverse(spectrum);
+    samples = spectrum.real();
     transform_.forward(samples, coefficients, workspace_);
     project(coefficients);
     Eigen::Map<Eigen::VectorXd>(y, rows()) = coefficients;
@@ -78,7 +83,7 @@ class InverseProduct {
   PeriodicTransform<double> transform_;
   Eigen::VectorXd inverse_eigenvalues_;
   Eigen::Index constants_ = 0;
-  mutable Eigen::FFT<double> fft_;
+  mutable FourierTransform fourier_;
   mutable Eigen::VectorXd workspace_;
 };
 
@@ -111,7 +116,7 @@ Eigen::VectorXd highest_mode(const FilterBank<double>& bank,
   Eigen::VectorXd mode(samples), result(samples);
   for (Eigen::Index n = 0; n < samples; ++n) {
     const auto phase = static_cast<double>(frequency * n % samples) / static_cast<double>(samples);
-    mode[n] = std::cos(2 * std::numbers::pi * phase);
+    mode[n] = cosine(2 * std::numbers::pi * phase);
   }
   mode[0] += 1;  // a trace of every other mode: from an exact eigenvector Lanczos breaks down
   const PeriodicTransform<double> transform(bank, samples, levels);

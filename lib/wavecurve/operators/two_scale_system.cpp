@@ -9,6 +9,7 @@
 #include <Spectra/GenEigsRealShiftSolver.h>
 #include <Spectra/MatOp/DenseGenRealShiftSolve.h>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/two_scale_matrix.hpp"
 
@@ -23,12 +24,17 @@ Eigen::VectorXd moment_row(Eigen::Index unknowns, int d) {
   Eigen::VectorXd row(unknowns);
   for (Eigen::Index i = 0; i < unknowns; ++i) {
     const auto l = static_cast<double>(first_two_scale_unknown(d) + i);
-    row[i] = std::pow(l, d) * (l == 0 ? 1.0 : 2.0);
+    row[i] = whole_power(l, d) * (l == 0 ? 1.0 : 2.0);
   }
   return row;
 }
 
-double moment(int d) { return (d % 2 == 0 ? 1.0 : -1.0) * std::tgamma(d + 1.0); }
+/// (-1)^d d!
+double moment(int d) {
+  double product = 1;
+  for (int i = 1; i <= d; ++i) product *= -i;
+  return product;
+}
 
 Eigen::VectorXd singular_vector(const Eigen::MatrixXd& a) {
   return a.jacobiSvd(Eigen::ComputeFullV).matrixV().rightCols<1>();

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <unsupported/Eigen/FFT>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/transform/detail/stockham_transform.hpp"
 
@@ -24,6 +24,11 @@ Complex product(Complex a, Complex b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+Complex on_circle(double angle) {
+  const auto [sine, cosine] = sine_cosine(angle);
+  return {cosine, sine};
+}
+
 /// Columns handled at a time: two cache lines of each row that they cross.
 constexpr Eigen::Index strip = 8;
 
@@ -36,7 +41,8 @@ class FourierTransform::Steps {
   void transform(Complex* x, bool inverse);
 
  private:
-  void by_eigen(Complex* x, bool inverse);
+  void make_chirp();
+  void by_chirp(Complex* x, bool inverse);
   void in_four_steps(Complex* x, bool inverse);
 
   Eigen::Index size_, rows_ = 1;  ///< rows_ = 2^shift_ > 1: in four steps
@@ -44,12 +50,16 @@ class FourierTransform::Steps {
   int shift_ = 0;
   std::optional<StockhamTransform> of_columns_, of_rows_;  ///< lengths size / rows_ and rows_
   Vector buffer_, gathered_, coarse_, fine_;
-  Eigen::FFT<double> fft_;
+  std::unique_ptr<Steps> longer_;  ///< of a length that is no power of two
+  Vector chirp_, chirp_spectrum_;
 };
 
 FourierTransform::Steps::Steps(Eigen::Index size) : size_(size) {
-  if (!is_power_of_two(size) || size > longest_direct) buffer_.resize(size);
-  if (!is_power_of_two(size)) return;
+  if (!is_power_of_two(size)) {
+    make_chirp();
+    return;
+  }
+  if (size > longest_direct) buffer_.resize(size);
   while (size > longest_direct && rows_ * rows_ < size) {
     rows_ *= 2;
     ++shift_;
@@ -65,22 +75,50 @@ FourierTransform::Steps::Steps(Eigen::Index size) : size_(size) {
   fine_.resize(rows_);
   const double angle = -2 * std::numbers::pi / static_cast<double>(size);
   for (Eigen::Index a = 0; a < coarse_.size(); ++a) {
-    coarse_[a] = std::polar(1.0, angle * static_cast<double>(a * rows_));
+    coarse_[a] = on_circle(angle * static_cast<double>(a * rows_));
   }
-  for (Eigen::Index b = 0; b < rows_; ++b)
-    fine_[b] = std::polar(1.0, angle * static_cast<double>(b));
+  for (Eigen::Index b = 0; b < rows_; ++b) fine_[b] = on_circle(angle * static_cast<double>(b));
 }
 
 void FourierTransform::Steps::transform(Complex* x, bool inverse) {
-  if (!of_columns_) return by_eigen(x, inverse);
+  if (!of_columns_) return by_chirp(x, inverse);
   if (of_rows_) return in_four_steps(x, inverse);
   of_columns_->transform(x, x, inverse, inverse ? 1.0 / static_cast<double>(size_) : 1);
 }
 
-void FourierTransform::Steps::by_eigen(Complex* x, bool inverse) {
-  std::copy(x, x + size_, buffer_.data());
-  if (inverse) fft_.inv(x, buffer_.data(), static_cast<int>(size_));
-  if (!inverse) fft_.fwd(x, buffer_.data(), static_cast<int>(size_));
+void FourierTransform::Steps::make_chirp() {
+  Eigen::Index length = 1;
+  while (length < 2 * size_ - 1) length *= 2;
+  longer_ = std::make_unique<Steps>(length);
+  buffer_.resize(length);
+  chirp_.resize(size_);
+  chirp_spectrum_ = Vector::Zero(length);
+  const double angle = -std::numbers::pi / static_cast<double>(size_);
+  Eigen::Index square = 0;  // of j, modulo 2 n: the angles stay small, and their products exact
+  for (Eigen::Index j = 0; j < size_; ++j) {
+    chirp_[j] = on_circle(angle * static_cast<double>(square));
+    chirp_spectrum_[j] = chirp_spectrum_[(length - j) % length] = std::conj(chirp_[j]);
+    square = (square + 2 * j + 1) % (2 * size_);
+  }
+  longer_->transform(chirp_spectrum_.data(), false);
+}
+
+void FourierTransform::Steps::by_chirp(Complex* x, bool inverse) {
+  // With w_j = e^(-pi i j^2 / n), j k = (j^2 + k^2 - (k - j)^2) / 2 makes the sum a convolution,
+  //   X_k = w_k sum_j (x_j w_j) conj(w_{k-j})   (Bluestein 1970);
+  // the inverse is the conjugate of the transform of the conjugate, divided by n.
+  const auto given = [&](Complex value) { return inverse ? std::conj(value) : value; };
+  for (Eigen::Index j = 0; j < size_; ++j) buffer_[j] = product(given(x[j]), chirp_[j]);
+  buffer_.tail(buffer_.size() - size_).setZero();
+  longer_->transform(buffer_.data(), false);
+  for (Eigen::Index k = 0; k < buffer_.size(); ++k) {
+    buffer_[k] = product(buffer_[k], chirp_spectrum_[k]);
+  }
+  longer_->transform(buffer_.data(), true);
+  const double scale = inverse ? 1.0 / static_cast<double>(size_) : 1;
+  for (Eigen::Index k = 0; k < size_; ++k) {
+    x[k] = scale * given(product(buffer_[k], chirp_[k]));
+  }
 }
 
 void FourierTransform::Steps::in_four_steps(Complex* x, bool inverse) {

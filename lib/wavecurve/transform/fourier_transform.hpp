@@ -9,8 +9,9 @@ namespace wavecurve {
 /// The discrete Fourier transform of any length n, in place:
 ///   forward: X_k = sum_j x_j e^(-2 pi i j k / n),   inverse: its inverse, with the factor 1 / n.
 /// The transform of a power of two is done by Stockham's algorithm, of a long one as a matrix (four steps: columns,
-/// twiddle factors, transposition, columns), whose columns fit into the cache; of another length by
-/// Eigen's. Nothing is allocated after construction for powers of two. The transform has buffers of
+/// twiddle factors, transposition, columns), whose columns fit into the cache; of another length as a
+/// convolution with a chirp (Bluestein), of powers of two. Nothing is allocated after construction, and the
+/// results have the same bits on every processor. The transform has buffers of
 /// its own: one for each thread.
 class FourierTransform {
  public:

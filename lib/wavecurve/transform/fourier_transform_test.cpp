@@ -25,10 +25,10 @@ TEST(FourierTransform, OfShortLengthsIsTheSum) {
   }
 }
 
-// Eigen's is the plain twin: of all powers of two that are transformed directly, and of two in four
-// steps; other lengths are left to it.
+// Eigen's is the plain twin: of all powers of two that are transformed directly, of two in four
+// steps, and of other lengths, among them primes.
 TEST(FourierTransform, IsEigensForwardsAndBack) {
-  std::vector<Eigen::Index> sizes{3, 100, 1000};
+  std::vector<Eigen::Index> sizes{3, 5, 100, 127, 1000};
   for (Eigen::Index n = 2; n <= 1 << 16; n *= 2) sizes.push_back(n);
   for (const Eigen::Index n : sizes) {
     const Eigen::VectorXcd x = Eigen::VectorXcd::Random(n);

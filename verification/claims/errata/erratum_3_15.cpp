@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 #include <fmt/core.h>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
@@ -59,7 +60,7 @@ VectorXd start_shape() {
   VectorXd shape(samples);
   for (int i = 0; i < samples; ++i) {
     const double angle = 2 * std::numbers::pi * i / samples;
-    shape(i) = std::cos(angle) + 0.3 * std::sin(3 * angle);
+    shape(i) = cosine(angle) + 0.3 * sine(3 * angle);
   }
   return shape;
 }

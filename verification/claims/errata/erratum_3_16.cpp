@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "wavecurve/dynamics/lagrange_system.hpp"
+#include "wavecurve/elementary/exponential.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
@@ -53,7 +54,7 @@ double residual_of_functions(const Quadratic& truth) {
   for (const Complex lambda : truth.roots()) {
     for (int i = 1; i <= 10; ++i) {
       const double tau = i / 10.0;
-      const Complex r = std::exp(lambda * tau);
+      const Complex r = exponential(lambda * tau);
       const Complex first = r + lambda * tau * r;
       const Complex second = first * first + 2.0 * lambda * r + lambda * lambda * tau * r;
       worst = std::max(worst, relative_residual(truth, first, second));

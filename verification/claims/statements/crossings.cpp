@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/motion/morph/avoid_crossings.hpp"
 #include "wavecurve/motion/morph/make_morph.hpp"
@@ -36,7 +37,7 @@ Drawing star(int rays) {
   Contour points(2 * rays, 2);
   for (int i = 0; i < 2 * rays; ++i) {
     const double angle = std::numbers::pi * i / rays, radius = i % 2 == 0 ? 4.5 : 1;
-    points.row(i) << radius * std::sin(angle), -radius * std::cos(angle);
+    points.row(i) << radius * sine(angle), -radius * cosine(angle);
   }
   return drawing(points);
 }
@@ -48,8 +49,8 @@ Drawing spiral(double turns) {
   for (int i = 0; i < half; ++i) {
     const double share = i / (half - 1.0), angle = 2 * std::numbers::pi * turns * share;
     const double outer = 4.5 - 4 * share, inner = std::max(outer - 1 / std::abs(turns), 0.1);
-    points.row(i) << outer * std::cos(angle), outer * std::sin(angle);
-    points.row(2 * half - 1 - i) << inner * std::cos(angle), inner * std::sin(angle);
+    points.row(i) << outer * cosine(angle), outer * sine(angle);
+    points.row(2 * half - 1 - i) << inner * cosine(angle), inner * sine(angle);
   }
   return drawing(points);
 }

@@ -12,6 +12,9 @@
 
 #include "wavecurve/dynamics/modal/decoupled.hpp"
 #include "wavecurve/dynamics/modal/spectral.hpp"
+#include "wavecurve/elementary/exponential.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 
 #include "verification/study/motion_error.hpp"
@@ -136,7 +139,7 @@ std::string map_script() {
       "label(v) = v < 1 ? sprintf(\"%.1g\", v) : sprintf(\"%.0f\", v)\n"
       "max(a, b, c) = a > b ? (a > c ? a : c) : (b > c ? b : c)\n",
       tics, static_cast<double>(sizes.size()) - 0.5, static_cast<double>(dampings.size()) - 0.5,
-      std::log10(100 * small_error));
+      logarithm_10(100 * small_error));
   for (const auto& [title, first] : {std::pair{"decoupled", 3}, {"block-decoupled", 6}}) {
     const std::string worst = fmt::format("max(${}, ${}, ${})", first, first + 1, first + 2);
     script += fmt::format(
@@ -170,7 +173,7 @@ Chart map_chart(const Map& map) {
 VectorXd early_times() {
   VectorXd times(25);
   for (Index i = 0; i < times.size(); ++i) {
-    times[i] = std::pow(10.0, -3 + static_cast<double>(i) / 8);
+    times[i] = exponential(std::numbers::ln10 * (-3 + static_cast<double>(i) / 8));
   }
   return times;
 }
@@ -256,7 +259,7 @@ Table by_frequency() {
     Contour shape = unit_circle(figure_samples);
     for (Index i = 0; i < figure_samples; ++i) {
       const double angle = 2 * std::numbers::pi * static_cast<double>(i * n);
-      shape.row(i) *= 1 + 0.3 * std::cos(angle / static_cast<double>(figure_samples));
+      shape.row(i) *= 1 + 0.3 * cosine(angle / static_cast<double>(figure_samples));
     }
     for (const double s2 : {0.0, 0.1}) {
       const dynamics::LagrangeSystem system =

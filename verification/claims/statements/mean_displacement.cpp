@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 #include <fmt/core.h>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 
@@ -36,8 +37,8 @@ std::vector<Displacement> displacements() {
   VectorXd ellipse(samples), dented(samples);
   for (int i = 0; i < samples; ++i) {
     const double angle = 2 * std::numbers::pi * i / samples;
-    ellipse(i) = std::cos(angle);
-    dented(i) = std::cos(angle) + 0.4 * std::cos(2 * angle) + 0.2 * std::sin(5 * angle);
+    ellipse(i) = cosine(angle);
+    dented(i) = cosine(angle) + 0.4 * cosine(2 * angle) + 0.2 * sine(5 * angle);
   }
   const VectorXd shift = VectorXd::Constant(samples, mean);
   return {{"stretched to an ellipse", ellipse},

@@ -10,7 +10,10 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "wavecurve/certified/ball.hpp"
+#include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/dynamics/schulz_inverse.hpp"
+#include "wavecurve/elementary/logarithm.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/spectrum.hpp"
@@ -39,18 +42,23 @@ Sparse damping_matrix(double condition) {
   return damping(bank, samples, levels, 1, (condition - 1) / largest);
 }
 
+double nearest(const certified::Ball& number) { return certified::round_to_double(number).value(); }
+
 /// Not symmetric: singular values in geometric progression from 1 to the condition number, between
-/// two reflections.
+/// two reflections. Where round-off ends the iteration hangs on the last bits of the entries: these
+/// are made from the doubles nearest to the cosines and powers, proved.
 MatrixXd general_matrix(double condition) {
-  const auto reflection = [](double frequency) -> MatrixXd {
+  const auto reflection = [](long frequency) -> MatrixXd {
     Eigen::VectorXd normal(samples);
-    for (Index i = 0; i < samples; ++i) normal[i] = std::cos(frequency * static_cast<double>(i));
+    for (Index i = 0; i < samples; ++i) normal[i] = nearest(cos(certified::Ball(frequency * i)));
     normal.normalize();
     return MatrixXd::Identity(samples, samples) - 2 * normal * normal.transpose();
   };
   Eigen::VectorXd values(samples);
+  const certified::Ball logarithm = log(certified::Ball::from_double(condition));
   for (Index i = 0; i < samples; ++i) {
-    values[i] = std::pow(condition, static_cast<double>(i) / static_cast<double>(samples - 1));
+    const double share = static_cast<double>(i) / static_cast<double>(samples - 1);
+    values[i] = nearest(exp(logarithm * certified::Ball::from_double(share)));
   }
   return reflection(1) * values.asDiagonal() * reflection(2);
 }
@@ -71,7 +79,7 @@ Run analysed(std::vector<double> residuals) {
   run.end = run.begin;
   while (run.end + 1 < r.size() && r[run.end + 1] <= 1.1 * r[run.end] * r[run.end]) ++run.end;
   if (run.end >= 2 && r[run.end - 2] < 1) {
-    run.order = std::log(r[run.end] / r[run.end - 1]) / std::log(r[run.end - 1] / r[run.end - 2]);
+    run.order = logarithm(r[run.end] / r[run.end - 1]) / logarithm(r[run.end - 1] / r[run.end - 2]);
   }
   return run;
 }

@@ -1,11 +1,13 @@
 // "K and C with respect to the wavelet representation is sparse" (section 3.2, and the abstract).
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -87,7 +89,8 @@ Chart by_size(double& last_exponent) {
     const Matrix k = stiffness(d8, samples, log2_of(samples));
     const Eigen::Index other = stiffness(k2, samples, log2_of(samples)).nonZeros();
     const double exponent =
-        std::log2(static_cast<double>(k.nonZeros()) / static_cast<double>(last));
+        logarithm(static_cast<double>(k.nonZeros()) / static_cast<double>(last)) /
+        std::numbers::ln2;
     chart.data.rows.push_back({std::to_string(samples), std::to_string(k.nonZeros()),
                                std::to_string(other), fmt::format("{:.2f}", 100 * share(k)),
                                last == 0 ? "-" : fmt::format("{:.2f}", exponent),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/operators/two_scale_system.hpp"
 
 #include "verification/checker/check_table.hpp"
@@ -44,7 +45,7 @@ double largest_deviation(const CheckedTable& table, const Quantity& quantity) {
   double largest = 0;
   for (const CheckedRow& row : table.rows) {
     if (row.entry.quantity != quantity || row.verdict != PrintVerdict::published_route) continue;
-    largest = std::max(largest, row.ulps * std::pow(10.0, -row.entry.number.decimals()));
+    largest = std::max(largest, row.ulps / whole_power(10, row.entry.number.decimals()));
   }
   return largest;
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
+
 namespace wavecurve::dynamics {
 
 ForceCoefficients::ForceCoefficients(const InitialValueProblem& problem)
@@ -64,8 +66,8 @@ Eigen::MatrixXd ForceCoefficients::operator()(double time,
   }
   if (force_.constant.size() > 0) sum += force_.constant;
   for (const HarmonicForce& harmonic : force_.harmonic) {
-    sum += std::cos(harmonic.omega * time) * harmonic.cosine +
-           std::sin(harmonic.omega * time) * harmonic.sine;
+    const auto [sine, cosine] = sine_cosine(harmonic.omega * time);
+    sum += cosine * harmonic.cosine + sine * harmonic.sine;
   }
   return sum;
 }

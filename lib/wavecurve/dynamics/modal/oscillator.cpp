@@ -1,9 +1,12 @@
 #include "wavecurve/dynamics/modal/oscillator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "wavecurve/dynamics/modal/detail/exponential_difference.hpp"
+#include "wavecurve/elementary/exponential.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
@@ -26,7 +29,7 @@ void check(const Oscillator& oscillator, double t) {
 Propagator relaxation(const Oscillator& oscillator, double t) {
   const double rate = -oscillator.k / oscillator.c;
   Propagator p;
-  p.qq = std::exp(rate * t);
+  p.qq = exponential(rate * t);
   p.qv = p.vv = 0;
   p.vq = rate * p.qq;
   p.qf = t * phi_function(1, rate * t) / oscillator.c;
@@ -35,12 +38,12 @@ Propagator relaxation(const Oscillator& oscillator, double t) {
 }
 
 /// Below the critical damping, after more than about a radian: there nothing cancels in the
-/// formulas as they stand.
-Propagator oscillation(const Oscillator& oscillator, double decay, double omega, double t) {
-  const double fading = decay == 0 ? 1 : std::exp(-decay * t);
+/// formulas as they stand. With exp(-decay t), and sine and cosine of omega t.
+Propagator oscillation(const Oscillator& oscillator, double decay, double omega, double fading,
+                       const SineCosine& turn) {
   Propagator p;
-  p.qv = fading * std::sin(omega * t) / omega;
-  const double even = fading * std::cos(omega * t);
+  p.qv = fading * turn.sine / omega;
+  const double even = fading * turn.cosine;
   p.qq = even + decay * p.qv;
   p.vv = even - decay * p.qv;
   p.vq = -oscillator.k / oscillator.rho * p.qv;
@@ -80,7 +83,7 @@ std::array<double, 4> zero_differences(Complex x, Complex y) {
   // d_m solves q'' - sum q' + product q = t^(m - 1) / (m - 1)! at time 1, its derivative is
   // d_{m-1}.
   d[0] = exponential_difference(x, y).real();
-  const double before = (std::exp(y) + x * exponential_difference(x, y)).real();
+  const double before = (exponential(y) + x * exponential_difference(x, y)).real();
   d[1] = (1 + sum * d[0] - before) / product;
   d[2] = (1 + sum * d[1] - d[0]) / product;
   d[3] = (0.5 + sum * d[2] - d[1]) / product;
@@ -108,18 +111,48 @@ Propagator propagator(const Oscillator& oscillator, double t) {
   if (oscillator.rho == 0) return relaxation(oscillator, t);
   if (t == 0) return {};
   const auto [slow, fast] = roots(oscillator);
-  if (slow.imag() * t > 1) return oscillation(oscillator, -slow.real(), slow.imag(), t);
+  if (slow.imag() * t > 1) {
+    return oscillation(oscillator, -slow.real(), slow.imag(), exponential(slow.real() * t),
+                       sine_cosine(slow.imag() * t));
+  }
   // The response to an impulse, t exp[slow t, fast t]; of real roots, or of a conjugate pair, it is
   // real, and so are the others.
   const Complex impulse = t * exponential_difference(slow * t, fast * t);
   Propagator p;
-  p.qq = (std::exp(slow * t) - slow * impulse).real();
+  p.qq = (exponential(slow * t) - slow * impulse).real();
   p.qv = impulse.real();
   p.vq = -(slow * fast * impulse).real();
-  p.vv = (std::exp(fast * t) + slow * impulse).real();
+  p.vv = (exponential(fast * t) + slow * impulse).real();
   p.qf = (t * t * exponential_difference(slow * t, fast * t, 0)).real() / oscillator.rho;
   p.vf = p.qv / oscillator.rho;
   return p;
+}
+
+void propagators(std::span<const Oscillator> oscillators, double t, std::span<Propagator> result) {
+  constexpr std::size_t most = 128;  // at a time, so that all arrays stay in the cache
+  std::array<double, most> decay, omega;
+  Eigen::ArrayXd fading(most), sine(most), cosine(most);
+  for (std::size_t first = 0; first < oscillators.size(); first += most) {
+    const std::size_t count = std::min(most, oscillators.size() - first);
+    const auto size = static_cast<Eigen::Index>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Oscillator& oscillator = oscillators[first + i];
+      check(oscillator, t);
+      const Roots r = oscillator.rho > 0 ? roots(oscillator) : Roots();
+      decay[i] = -r.slow.real();
+      omega[i] = r.slow.imag();
+      fading[static_cast<Eigen::Index>(i)] = r.slow.real() * t;
+      sine[static_cast<Eigen::Index>(i)] = omega[i] * t;
+    }
+    exponential(fading.head(size), fading.head(size));
+    sine_cosine(sine.head(size), sine.head(size), cosine.head(size));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto j = static_cast<Eigen::Index>(i);
+      result[first + i] = omega[i] * t > 1 ? oscillation(oscillators[first + i], decay[i], omega[i],
+                                                         fading[j], {sine[j], cosine[j]})
+                                           : propagator(oscillators[first + i], t);
+    }
+  }
 }
 
 HarmonicResponse harmonic_response(const Oscillator& oscillator, double omega, double t) {
@@ -128,7 +161,7 @@ HarmonicResponse harmonic_response(const Oscillator& oscillator, double omega, d
   if (oscillator.rho == 0) {
     const double rate = -oscillator.k / oscillator.c;
     const Complex q = t * exponential_difference(rate * t, force * t) / oscillator.c;
-    return {q, rate * q + std::exp(force * t) / oscillator.c};
+    return {q, rate * q + exponential(force * t) / oscillator.c};
   }
   const auto [slow, fast] = roots(oscillator);
   const Complex q = t * t * exponential_difference(slow * t, fast * t, force * t) / oscillator.rho;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <span>
 
 namespace wavecurve::dynamics {
 
@@ -31,6 +32,10 @@ struct Propagator {
 /// as its frequency), of qv and qf the same relative to t and t^2 / rho. Throws
 /// std::invalid_argument naming what is negative or not finite, and for rho = c = 0.
 Propagator propagator(const Oscillator& oscillator, double t);
+
+/// The propagators of as many oscillators, each with the bits of the function above; sines, cosines
+/// and exponentials are computed on vectors.
+void propagators(std::span<const Oscillator> oscillators, double t, std::span<Propagator> result);
 
 /// The response at time t, from rest, to the force e^(i omega t): q and q' as complex numbers, of
 /// which the real part answers cos, the imaginary part sin. At resonance too.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -145,6 +146,25 @@ RC_GTEST_PROP(Oscillator, HarmonicResponseIsTheMatrixExponential, ()) {
   RC_ASSERT(error(response.q.real(), e[0][3]) <= bound * t * t);
   RC_ASSERT(error(response.v.real(), e[1][3]) <= bound * t * (1 + frequency * t));
   RC_ASSERT(error(response.q.imag(), -e[0][4]) <= bound * t * t);
+}
+
+TEST(Oscillator, PropagatorsHaveTheBitsOfEachOne) {
+  std::vector<Oscillator> oscillators;
+  for (int i = 0; i < 300; ++i) {
+    const double k = i * i * 0.37, c = (i % 7) * 0.1;
+    oscillators.push_back({i % 11 == 0 ? 0.0 : 1.0, c + (i % 11 == 0 ? 1 : 0), k});
+  }
+  std::vector<Propagator> all(oscillators.size());
+  for (const double t : {0.0, 0.01, 1.0, 1e7}) {
+    propagators(oscillators, t, all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Propagator p = propagator(oscillators[i], t);
+      const auto numbers = [](const Propagator& q) {
+        return std::array{q.qq, q.qv, q.vq, q.vv, q.qf, q.vf};
+      };
+      EXPECT_EQ(numbers(all[i]), numbers(p)) << i << ' ' << t;
+    }
+  }
 }
 
 TEST(Oscillator, RefusesWhatIsNoOscillator) {

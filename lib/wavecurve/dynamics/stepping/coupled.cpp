@@ -17,6 +17,7 @@
 #include "wavecurve/dynamics/detail/tolerance.hpp"
 #include "wavecurve/dynamics/detail/work_bound.hpp"
 #include "wavecurve/dynamics/stepping/detail/equation_of_motion.hpp"
+#include "wavecurve/elementary/root.hpp"
 
 namespace wavecurve::dynamics {
 
@@ -71,12 +72,12 @@ class StepDoubling {
     const double error = norm_(x, dxdt_, coarse_, h);
     // The error of a step of order 4 goes with h^5; growing less boldly than shrinking is usual.
     if (error > 1) {
-      h *= std::max(0.9 * std::pow(error, -0.25), 0.2);
+      h *= std::max(0.9 / std::sqrt(std::sqrt(error)), 0.2);
       return odeint::fail;
     }
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = fine_[i] + coarse_[i];
     t += h;
-    h *= error > 0 ? std::min(0.9 * std::pow(error, -0.2), 5.0) : 5.0;
+    h *= error > 0 ? std::min(0.9 / root(error, 5), 5.0) : 5.0;
     return odeint::success;
   }
 

@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "wavecurve/elementary/root.hpp"
+
 namespace wavecurve::motion {
 
 namespace {
@@ -21,11 +23,13 @@ const Matrix3d opponents{{0.2104542553, 0.7936177850, -0.0040720468},
                          {0.0259040371, 0.7827717662, -0.8086757660}};
 
 double to_linear(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  if (value <= 0.04045) return value / 12.92;
+  const double base = (value + 0.055) / 1.055;
+  return root(whole_power(base, 12), 5);  // base^2.4
 }
 
 double from_linear(double value) {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * root(whole_power(value, 5), 12) - 0.055;
 }
 
 Vector3d components(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
@@ -74,7 +78,7 @@ void append_stops(const Colour& from, const Colour& to, const ColourStop& left,
 Vector3d to_oklab(const Colour& colour) {
   const Vector3d linear = components(colour).unaryExpr(&to_linear);
   const Vector3d responses = cones * linear;
-  return opponents * responses.unaryExpr([](double value) { return std::cbrt(value); });
+  return opponents * responses.unaryExpr([](double value) { return root(value, 3); });
 }
 
 Colour from_oklab(const Vector3d& lab) {

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "wavecurve/transform/detail/highway_targets.hpp"
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/operators/detail/circulant_product.cpp"
 #include <hwy/foreach_target.h>

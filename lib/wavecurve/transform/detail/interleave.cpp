@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "wavecurve/transform/detail/highway_targets.hpp"
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/interleave.cpp"
 #include <hwy/foreach_target.h>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "wavecurve/transform/detail/highway_targets.hpp"
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #include "wavecurve/transform/detail/interleave.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/periodic_kernels.cpp"

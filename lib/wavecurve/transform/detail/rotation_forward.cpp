@@ -1,4 +1,4 @@
-#include "wavecurve/transform/detail/highway_targets.hpp"
+#include "wavecurve/elementary/detail/highway_targets.hpp"
 #include "wavecurve/transform/detail/rotation_kernels.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/rotation_forward.cpp"

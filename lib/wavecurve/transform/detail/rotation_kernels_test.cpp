@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "wavecurve/elementary/detail/every_target_test.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
-#include "wavecurve/transform/detail/every_target_test.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 

@@ -5,9 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "wavecurve/elementary/detail/highway_targets.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
-#include "wavecurve/transform/detail/highway_targets.hpp"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "wavecurve/transform/detail/stockham_transform.cpp"
 #include <hwy/foreach_target.h>
@@ -156,7 +157,7 @@ StockhamTransform::StockhamTransform(Eigen::Index size)
   for (Eigen::Index k = 0; 2 * k <= quarter; ++k) {
     if (quarter == 0) break;
     const double angle = 2 * std::numbers::pi / static_cast<double>(size) * static_cast<double>(k);
-    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const auto [sine, cosine] = sine_cosine(angle);
     roots_.row(k).head<2>() << cosine, -sine;
     if (k > 0) roots_.row(quarter - k).head<2>() << sine, -cosine;
   }

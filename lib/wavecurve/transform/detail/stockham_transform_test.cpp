@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wavecurve/transform/detail/every_target_test.hpp"
+#include "wavecurve/elementary/detail/every_target_test.hpp"
 
 namespace wavecurve {
 namespace {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "wavecurve/elementary/exponential.hpp"
+
 namespace wavecurve::dynamics {
 
 namespace {
@@ -12,7 +14,7 @@ using Complex = std::complex<double>;
 
 /// sinh(z) / z. Below |z| = 1/2 by its series, whose eighth term is below 2^-64 of the first.
 Complex sinh_quotient(Complex z) {
-  if (std::norm(z) >= 0.25) return std::sinh(z) / z;
+  if (std::norm(z) >= 0.25) return hyperbolic_sine(z) / z;
   const Complex square = z * z;
   Complex sum = 1;
   for (int n = 7; n >= 1; --n) sum = 1.0 + square * sum / (2.0 * n * (2.0 * n + 1));
@@ -35,7 +37,7 @@ Complex difference_near(Complex mean, const std::array<Complex, 3>& offset) {
     factorial *= n + 2;
     sum += next / factorial;
   }
-  return std::exp(mean) * sum;
+  return exponential(mean) * sum;
 }
 
 }  // namespace
@@ -44,8 +46,8 @@ Complex exponential_difference(Complex x, Complex y) {
   // The larger exponential goes outside, so that nothing overflows: sinh(z) e^(x + y)/2 would.
   if (x.real() < y.real()) std::swap(x, y);
   const Complex half = 0.5 * (x - y);
-  if (half.real() > 1) return std::exp(x) * (1.0 - std::exp(-2.0 * half)) / (2.0 * half);
-  return std::exp(0.5 * (x + y)) * sinh_quotient(half);
+  if (half.real() > 1) return exponential(x) * (1.0 - exponential(-2.0 * half)) / (2.0 * half);
+  return exponential(0.5 * (x + y)) * sinh_quotient(half);
 }
 
 Complex exponential_difference(Complex x, Complex y, Complex z) {
@@ -60,8 +62,8 @@ Complex exponential_difference(Complex x, Complex y, Complex z) {
 }
 
 double phi_function(int k, double x) {
-  if (k == 0) return std::exp(x);
-  if (k == 1) return x == 0 ? 1 : std::expm1(x) / x;
+  if (k == 0) return exponential(x);
+  if (k == 1) return x == 0 ? 1 : exponential_minus_one(x) / x;
   if (std::abs(x) > 1) return (phi_function(k - 1, x) - (k == 2 ? 1 : 0.5)) / x;
   // sum_n x^n / (n + k)!; 18 terms reach 2^-57 of the first.
   double sum = 0;

@@ -161,7 +161,11 @@ class DyadicSteps {
 
   void advance(double from, double to) {
     if (std::abs((to - from) / distance_ - 1) > 1e-13) {
-      if (distance_ > 0) depth_ += static_cast<int>(std::ceil(std::log2((to - from) / distance_)));
+      if (distance_ > 0) {
+        int doublings;  // that make the old distance at least the new one
+        if (std::frexp((to - from) / distance_, &doublings) == 0.5) --doublings;
+        depth_ += doublings;
+      }
       depth_ = std::clamp(depth_, 0, deepest);
       distance_ = to - from;
       integrator_.forget_tables();

@@ -1,6 +1,8 @@
 #include "wavecurve/dynamics/modal/detail/modal_propagator.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace wavecurve::dynamics {
 
@@ -40,15 +42,26 @@ ModalPropagator::ModalPropagator(const CirculantEigenvalues& modes, double t,
   if (!from_displacement_only) {
     for (Eigen::ArrayXd* array : {&qv_, &vq_, &vv_, &qf_, &vf_}) array->resize(size);
   }
-  for (Eigen::Index n = 0; n < size; ++n) {
-    const Propagator p = propagator(oscillator(modes, n), t);
-    qq_[n] = p.qq;
-    if (from_displacement_only) continue;
-    qv_[n] = p.qv;
-    vq_[n] = p.vq;
-    vv_[n] = p.vv;
-    qf_[n] = p.qf;
-    vf_[n] = p.vf;
+  constexpr Eigen::Index most = 256;  // at a time, so that they stay in the cache
+  std::vector<Oscillator> oscillators;
+  std::vector<Propagator> solutions(most);
+  for (Eigen::Index first = 0; first < size; first += most) {
+    oscillators.clear();
+    for (Eigen::Index n = first; n < std::min(first + most, size); ++n) {
+      oscillators.push_back(oscillator(modes, n));
+    }
+    propagators(oscillators, t, solutions);
+    for (std::size_t i = 0; i < oscillators.size(); ++i) {
+      const Eigen::Index n = first + static_cast<Eigen::Index>(i);
+      const Propagator& p = solutions[i];
+      qq_[n] = p.qq;
+      if (from_displacement_only) continue;
+      qv_[n] = p.qv;
+      vq_[n] = p.vq;
+      vv_[n] = p.vv;
+      qf_[n] = p.qf;
+      vf_[n] = p.vf;
+    }
   }
 }
 

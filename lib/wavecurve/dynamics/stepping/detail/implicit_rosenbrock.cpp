@@ -10,6 +10,7 @@
 #include "wavecurve/dynamics/detail/work_bound.hpp"
 #include "wavecurve/dynamics/stepping/detail/implicit.hpp"
 #include "wavecurve/dynamics/stepping/detail/residual_force.hpp"
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::dynamics {
@@ -54,7 +55,7 @@ class Rosenbrock {
       const bool is_last = t + h_ >= end * (1 - 1e-14);
       const double h = is_last ? end - t : h_;
       const double error = attempt(t, h);
-      const double factor = std::clamp(0.9 * std::pow(error, -1.0 / 3), 0.2, 5.0);
+      const double factor = std::clamp(0.9 / root(error, 3), 0.2, 5.0);
       if (error <= 1) {
         q_ = new_q_;
         v_ = new_v_;

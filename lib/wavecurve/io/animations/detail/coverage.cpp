@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -48,13 +51,13 @@ bool is_inside(int winding, FillRule rule) {
 
 Contour disc(double x, double y, double radius) {
   // The chord of a side stays within a twentieth of a pixel of the circle.
-  const double half_side = std::acos(1 - std::min(0.05 / radius, 0.5));
+  const double half_side = arccosine(1 - std::min(0.05 / radius, 0.5));
   const auto sides =
       static_cast<Eigen::Index>(std::max(8.0, std::ceil(std::numbers::pi / half_side)));
   Contour polygon(sides, 2);
   for (Eigen::Index i = 0; i < sides; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sides);
-    polygon.row(i) << x + radius * std::cos(angle), y + radius * std::sin(angle);
+    polygon.row(i) << x + radius * cosine(angle), y + radius * sine(angle);
   }
   return polygon;
 }
@@ -84,7 +87,7 @@ void append_stroke(std::vector<Contour>& pieces, const Contour& polygon, double 
     quad << here + offset, after + offset, after - offset, here - offset;
     pieces.push_back(quad);
     const double cross = last_step.x() * step.y() - last_step.y() * step.x();
-    const double turn = std::atan2(cross, last_step.dot(step));
+    const double turn = arctangent(cross, last_step.dot(step));
     const Eigen::RowVector2d last_offset =
         radius / last_step.norm() * Eigen::RowVector2d(last_step.y(), -last_step.x());
     Contour wedge(3, 2);  // between the rectangles, on the outer side of the turn

@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::io {
 
-Decimals::Decimals(int places) : places_(places), power_(std::pow(10, places)) {
+Decimals::Decimals(int places) : places_(places), power_(whole_power(10, places)) {
   check_between("the number of decimal places", places, 0, 15);
 }
 
@@ -18,7 +20,7 @@ Decimals Decimals::for_box(const ViewBox& box, double accuracy) {
   const double unit = accuracy * std::max(box.width, box.height);
   if (!(unit > 0)) throw std::invalid_argument(must_be("accuracy", accuracy, "above 0"));
   // The slack lets 1e-4 of 100 have two places, although neither is a binary fraction.
-  const double places = std::ceil(-std::log10(unit) - 1e-9);
+  const double places = std::ceil(-logarithm_10(unit) - 1e-9);
   return Decimals(static_cast<int>(std::clamp(places, 0.0, 15.0)));
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "wavecurve/elementary/root.hpp"
 #include "wavecurve/motion/gait/model/detail/deviation_basis.hpp"
 #include "wavecurve/motion/gait/model/detail/fit_gammas.hpp"
 #include "wavecurve/motion/gait/model/detail/fit_oscillator.hpp"
@@ -62,7 +63,7 @@ void add_residuals(const PhaseMotion& fitted, const PhaseRun& run, const ModelSe
     }
     sum.squares += (run.points.row(i) - model).squaredNorm();
     sum.count += model.size();
-    sum.foot_squares += std::pow(run.points(i, setting.foot) - model[setting.foot], 2);
+    sum.foot_squares += whole_power(run.points(i, setting.foot) - model[setting.foot], 2);
     ++sum.frames;
   }
 }

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::gait {
@@ -19,7 +21,7 @@ using Eigen::RowVector2d;
 
 constexpr double degree = std::numbers::pi / 180;
 
-RowVector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
+RowVector2d along(double angle) { return {cosine(angle), sine(angle)}; }
 
 /// From 0 to 1, with neither speed nor acceleration at the ends.
 double smooth_step(double s) { return s * s * s * (10 + s * (-15 + 6 * s)); }
@@ -72,7 +74,7 @@ Contour pantograph(const CanineLimb& limb, const RowVector2d& end) {
   }
   const double cosine =
       (distance * distance + outer * outer - second * second) / (2 * distance * outer);
-  const double angle = std::atan2(way.y(), way.x()) - std::acos(std::min(cosine, 1.0));
+  const double angle = arctangent(way.y(), way.x()) - arccosine(std::min(cosine, 1.0));
   Contour joints(4, 2);
   joints.row(0) = limb.pivot;
   joints.row(1) = limb.pivot + first * along(angle);

@@ -10,6 +10,8 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
 #include "wavecurve/motion/gait/record/canine_gaits.hpp"
 #include "wavecurve/motion/gait/record/detail/check_tracks.hpp"
 #include "wavecurve/motion/gait/record/detail/turning_points.hpp"
@@ -171,9 +173,11 @@ double touch_down_share(const LimbCycle& limb, const LimbCycle& reference, doubl
       const double lag = reversal.time - other.time;
       if (other.touch_down && (!nearest || std::abs(lag) < std::abs(*nearest))) nearest = lag;
     }
-    if (nearest) mean += std::polar(1.0, 2 * std::numbers::pi * *nearest / period);
+    if (!nearest) continue;
+    const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * *nearest / period);
+    mean += std::complex<double>(cosine, sine);
   }
-  const double share = std::arg(mean) / (2 * std::numbers::pi);
+  const double share = arctangent(mean.imag(), mean.real()) / (2 * std::numbers::pi);
   return share < 0 ? std::fmod(share + 1, 1.0) : share;
 }
 

@@ -8,18 +8,21 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/arctangent.hpp"
+#include "wavecurve/elementary/sine_cosine.hpp"
+
 namespace wavecurve::io {
 
 namespace {
 
 constexpr double largest_step = std::numbers::pi / 24;
 
-double angle_of(const Eigen::Vector2d& point) { return std::atan2(point.y(), point.x()); }
+double angle_of(const Eigen::Vector2d& point) { return arctangent(point.y(), point.x()); }
 
 }  // namespace
 
 Eigen::Vector2d Ellipse::at(double angle) const {
-  const Eigen::Vector2d unit(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d unit(cosine(angle), sine(angle));
   return centre + Eigen::Rotation2Dd(rotation) * radii.cwiseProduct(unit);
 }
 
@@ -27,7 +30,7 @@ void append_arc(PathBuilder& path, const Ellipse& ellipse, double from, double s
   // A full circle is not to become one piece more by rounding.
   const int pieces =
       std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / largest_step - 1e-9)));
-  const double step = sweep / pieces, reach = 4.0 / 3 * std::tan(step / 4);
+  const double step = sweep / pieces, reach = 4.0 / 3 * wavecurve::tangent(step / 4);
   const auto tangent = [&](double angle) -> Eigen::Vector2d {
     return ellipse.at(angle + std::numbers::pi / 2) - ellipse.centre;
   };

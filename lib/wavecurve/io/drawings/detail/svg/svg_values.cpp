@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/elementary/arctangent.hpp"
 #include "wavecurve/io/drawings/detail/svg/arc.hpp"
 
 namespace wavecurve::io {
@@ -128,10 +129,10 @@ struct TransformEvents {
     transform_translate(-x, -y);
   }
   void transform_skew_x(double degrees) {
-    transform_matrix({{1, 0, std::tan(radians(degrees)), 1, 0, 0}});
+    transform_matrix({{1, 0, tangent(radians(degrees)), 1, 0, 0}});
   }
   void transform_skew_y(double degrees) {
-    transform_matrix({{1, std::tan(radians(degrees)), 0, 1, 0, 0}});
+    transform_matrix({{1, tangent(radians(degrees)), 0, 1, 0, 0}});
   }
 };
 

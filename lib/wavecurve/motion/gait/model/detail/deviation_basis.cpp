@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "wavecurve/elementary/sine_cosine.hpp"
+
 namespace wavecurve::gait {
 
 using Eigen::Index;
@@ -43,7 +45,7 @@ VectorXd fourier_basis(double u, Index size) {
   VectorXd basis(size);
   for (Index i = 0; i < size; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>((i + 1) / 2) * u;
-    basis[i] = i % 2 == 0 && i > 0 ? std::sin(angle) : std::cos(angle);
+    basis[i] = i % 2 == 0 && i > 0 ? sine(angle) : cosine(angle);
   }
   return basis;
 }
@@ -52,7 +54,7 @@ VectorXd fourier_slope(double u, Index size) {
   VectorXd slope(size);
   for (Index i = 0; i < size; ++i) {
     const double rate = 2 * std::numbers::pi * static_cast<double>((i + 1) / 2);
-    slope[i] = i % 2 == 0 && i > 0 ? rate * std::cos(rate * u) : -rate * std::sin(rate * u);
+    slope[i] = i % 2 == 0 && i > 0 ? rate * cosine(rate * u) : -rate * sine(rate * u);
   }
   return slope;
 }

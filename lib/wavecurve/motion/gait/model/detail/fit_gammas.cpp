@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "wavecurve/elementary/root.hpp"
+
 namespace wavecurve::gait {
 
 namespace {
@@ -31,7 +33,7 @@ struct Spread {
 Spread spread(const PhaseRun& run, const VectorXd& w, double gamma) {
   const VectorXd f = 1 - run.tau.array() + gamma * w.array();
   const VectorXd rest = 1 - f.array();
-  return {w.squaredNorm() + std::pow(w.dot(f), 2) + std::pow(w.dot(rest), 2),
+  return {w.squaredNorm() + whole_power(w.dot(f), 2) + whole_power(w.dot(rest), 2),
           static_cast<double>(f.size()) + f.squaredNorm() + rest.squaredNorm()};
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/elementary/arctangent.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::gait {
@@ -96,7 +97,7 @@ Bones bones_of(const Contour& chain) {
   bones.turn.assign(static_cast<std::size_t>(chain.rows()), std::numbers::pi / 2);
   for (std::size_t i = 1; i < bones.along.size(); ++i) {
     const RowVector2d a = bones.along[i - 1], b = bones.along[i];
-    bones.turn[i] = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / 2;
+    bones.turn[i] = arctangent(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / 2;
   }
   return bones;
 }
@@ -120,7 +121,7 @@ std::array<Piece, 3> pieces_of(const Contour& chain, const Bones& bones, std::si
   const double first = bend(bone), last = bend(bone + 1);
   // Outside of a bend there is an arc; inside the line is shorter.
   const auto corner = [&](double angle) {
-    return std::min(radius * std::tan(std::abs(angle)), line.length / 2);
+    return std::min(radius * tangent(std::abs(angle)), line.length / 2);
   };
   if (first > 0)
     before.from = -side * first;
