@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Sends hostile names through every output of the program, and parses what leaves.
 
-usage: hostile_texts_test.py PROGRAM
+usage: hostile_texts_test.py PROGRAM [FILE.json]
 
 A name comes from outside as the name of a filter, the id of a layer, the title or a column of a table, or the name
 of a file. Whatever it holds, each output must be what its form says: the parsers here are Python's own for JSON,
 CSV, XML and HTML and the C++ compiler, none of which the program uses. A terminal must be sent nothing that it obeys,
-and a name must not begin a line. The script prints each violation and exits with 1 if there is one.
+and a name must not begin a line. The script prints each violation and exits with 1 if there is one; its
+figures go to FILE.json, for docs/reliability.md.
 """
 
 import csv
+import datetime
 import html.parser
 import io
 import json
@@ -36,6 +38,7 @@ PATH = "M{0} 0L{1} 0 {1} {1} {0} {2}z"
 
 program = None
 failures = []
+runs = 0
 
 
 def fail(what, why):
@@ -133,6 +136,8 @@ FILES = {".svg": xml_form, ".json": json_form, ".html": html_form, ".csv": csv_f
 
 def run(folder, arguments, form, accepted=(0, 1, 2)):
     """The count that the form finds in the standard output; None if the input was refused."""
+    global runs
+    runs += 1
     done = subprocess.run([program] + arguments, cwd=folder, capture_output=True, check=False)
     what = "wavecurve " + " ".join(ascii(a)[:60] for a in arguments)
     try:
@@ -234,7 +239,7 @@ def check_file_names(folder):
 
 def main():
     global program
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__.splitlines()[2])
     program = os.path.abspath(sys.argv[1])
     folder = pathlib.Path(tempfile.mkdtemp(prefix="wavecurve_hostile_"))
@@ -251,7 +256,13 @@ def main():
         shutil.rmtree(folder)
     for failure in failures:
         print(failure)
-    print(f"{len(HOSTILE)} names, {len(failures)} violations")
+    print(f"{len(HOSTILE)} names, {runs} runs, {len(failures)} violations")
+    if len(sys.argv) == 3:
+        revision = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False,
+                                  cwd=pathlib.Path(__file__).parent).stdout.strip()
+        figures = {"date": datetime.date.today().isoformat(), "revision": revision, "names": len(HOSTILE),
+                   "outputs": len(expected), "runs": runs, "violations": len(failures)}
+        pathlib.Path(sys.argv[2]).write_text(json.dumps(figures, indent=1) + "\n")
     sys.exit(1 if failures else 0)
 
 

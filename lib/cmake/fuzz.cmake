@@ -109,7 +109,8 @@ wavecurve_fuzz_sources(readers ${readers} ${room}/io/drawings/detail/read_points
                        ${room}/filters/detail/bad_value.cpp ${room}/filters/detail/characters.cpp)
 wavecurve_fuzz_object(svg_values ${room}/io/drawings/detail/svg/svg_values.cpp)
 foreach(reader IN ITEMS svg csv tracks)
-  wavecurve_fuzzer(${reader} ${fuzz_source} ${fuzz_source}/svg.dict OBJECTS readers svg_values)
+  wavecurve_fuzzer(${reader} ${fuzz_source} ${fuzz_source}/svg.dict OBJECTS readers svg_values
+                   LIBRARIES wavecurve)
 endforeach()
 
 wavecurve_fuzz_sources(json_readers ${room}/io/filter_json.cpp ${room}/io/descriptor_json.cpp
