@@ -9,13 +9,6 @@
 
 namespace {
 
-/// Leaves a command nothing to do.
-void disarm(CLI::App& app) {
-  app.callback({});
-  app.final_callback({});
-  for (CLI::App* command : app.get_subcommands({})) disarm(*command);
-}
-
 /// In the order in which the parser takes them, the last first.
 std::vector<std::string> arguments(std::string_view text) {
   std::vector<std::string> words;
@@ -34,7 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   CLI::App app;
   ExitCode exit_code = done;
   define_program(app, exit_code);
-  disarm(app);
+  // Called when all options are read and checked, before any command runs.
+  app.parse_complete_callback([] { throw CLI::Success(); });
   try {
     app.parse(arguments({reinterpret_cast<const char*>(bytes), size}));
   } catch (const CLI::Error&) {
