@@ -72,12 +72,12 @@ class StepDoubling {
     const double error = norm_(x, dxdt_, coarse_, h);
     // The error of a step of order 4 goes with h^5; growing less boldly than shrinking is usual.
     if (error > 1) {
-      h *= std::max(0.9 / std::sqrt(std::sqrt(error)), 0.2);
+      h *= std::max(0.9 * root(1 / error, 4), 0.2);
       return odeint::fail;
     }
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = fine_[i] + coarse_[i];
     t += h;
-    h *= error > 0 ? std::min(0.9 / root(error, 5), 5.0) : 5.0;
+    h *= error > 0 ? std::min(0.9 * root(1 / error, 5), 5.0) : 5.0;
     return odeint::success;
   }
 
