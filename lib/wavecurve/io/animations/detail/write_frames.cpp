@@ -63,16 +63,16 @@ void recover(const fs::path& folder) {
 
 void replace_in_two_steps(Temporary& frames, const fs::path& folder) {
   const fs::path aside = put_aside(folder);
-  const Unfinished both_renames_or_none;
+  Unfinished both_renames_or_none;
   fs::rename(folder, aside);
   try {
+    check_holds_frames_only(aside, folder);
     frames.keep();
   } catch (...) {
     fs::rename(aside, folder);
     throw;
   }
-  check_holds_frames_only(aside, aside);
-  fs::remove_all(aside);
+  both_renames_or_none.remove(aside);
 }
 
 void replace(Temporary& frames, const fs::path& folder) {
