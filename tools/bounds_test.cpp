@@ -1,5 +1,6 @@
 // Every reader is bounded, and what is computed of one's own input ends within seconds or is refused:
-// each command runs with 4 GiB of address space and a minute, several times what it takes.
+// each command runs with 4 GiB of address space and 30 seconds of the processor, several times what
+// it takes.
 #include <algorithm>
 #include <string>
 
@@ -40,7 +41,8 @@ class Bounds : public ProgramTest {
 
   ProgramRun bounded(const std::string& arguments) const {
     return run("cd '" + folder_.string() +
-               "' && { ulimit -v 4194304; timeout 60 '" WAVECURVE_PROGRAM "' " + arguments + "; }");
+               "' && { ulimit -v 4194304; ulimit -t 30; '" WAVECURVE_PROGRAM "' " + arguments +
+               "; }");
   }
 
   /// Expects an end with this code, and little said on the error stream.
