@@ -130,7 +130,7 @@ TEST_F(Bounds, OwnFilters) {
 TEST_F(Bounds, Tables) {
   const std::string header = "filter,quantity,index,printed\n";
   put("filters.csv", header + joined(5000, [](int i) {
-                       return fmt::format("bspline{}.{},h,0,1\n", 1 + i % 100, 1 + i / 100);
+                       return fmt::format("bspline{}.{},h,0,1\n", 1 + i % 100, 1 + i % 2 + 2 * (i / 100));
                      }));
   expect_end("check filters.csv", 2, "more than 200 filters");
   put("rows.csv",
