@@ -157,11 +157,13 @@ TEST_F(GaitCommand, RefusesBadSyntheses) {
                  "unknown gait 'amble'; known: walk");
   expect_refusal("gait synthesize walk.json " + example("face-dog.svg") + " -o out.svg",
                  "the drawing has no layer 'LF'");
-  expect_refusal("gait synthesize walk.json " + dog + " --frames 1 -o out.svg", "frames is 1");
-  expect_refusal("gait synthesize walk.json " + dog + " --cycles 0 -o out.svg", "cycles is 0");
+  expect_refusal("gait synthesize walk.json " + dog + " --frames 1 -o out.svg",
+                 "'1' is not a whole number from 2");
+  expect_refusal("gait synthesize walk.json " + dog + " --cycles 0 -o out.svg",
+                 "'0' is not a whole number from 1");
   expect_refusal("gait synthesize walk.json " + dog + " --scale 3 -o out.svg", "scale is 3");
   expect_refusal("gait synthesize walk.json " + dog + " --period 0 -o out.svg",
-                 "the duration of a cycle is 0, but must be");
+                 "'0' is not a number from 0.001");
   expect_refusal("gait synthesize walk.json " + dog + " --sheet -o out.html",
                  "the file of a sheet is 'out.html', but must be");
   expect_refusal("gait synthesize walk.json " + dog + " -o out.bmp", "out.bmp");

@@ -36,7 +36,8 @@ std::vector<double> chance_of_each(std::span<const EntryError> entries);
 
 /// The probability that at least `least` of independent events happen, these being their
 /// probabilities; least_chance where it is less. Sums of positive terms only, so it is right to a few
-/// units in the last place.
+/// units in the last place; of so many events that this would take more than 4 million steps it is
+/// Hoeffding's bound, which is not less.
 double chance_of_at_least(int least, std::span<const double> probabilities);
 
 /// The number of ways to choose k of n.

@@ -17,6 +17,24 @@ TEST(RouteChance, OfAtLeastSoManyEventsIsTheBinomialTail) {
   EXPECT_DOUBLE_EQ(chance_of_at_least(3, mixed), 0.125);
   EXPECT_DOUBLE_EQ(chance_of_at_least(2, mixed), 0.125 + 0.375 + 0.125);
   EXPECT_EQ(chance_of_at_least(40, std::vector<double>(40, 1e-10)), least_chance);
+  EXPECT_EQ(chance_of_at_least(3, std::vector<double>{1, 1, 1, 0.1}), 1);
+  EXPECT_NEAR(chance_of_at_least(3, std::vector<double>{1, 1, 0.5, 0.1}), 0.55, 1e-15);
+  EXPECT_EQ(chance_of_at_least(5, std::vector<double>{1, 1, 0.5, 0.1}), least_chance);
+}
+
+TEST(RouteChance, OfVeryManyEventsIsABoundThatIsNotLess) {
+  // 2,000 events are summed, twice as many bounded: that twice as many happen of both halves is at
+  // least as probable as that each half has its share.
+  for (const int happened : {600, 650, 700, 900, 1900}) {
+    const double summed = chance_of_at_least(happened, std::vector<double>(2000, 0.3));
+    const double bounded = chance_of_at_least(2 * happened, std::vector<double>(4000, 0.3));
+    if (happened <= 600) {
+      EXPECT_EQ(bounded, 1);
+    } else {
+      EXPECT_GE(bounded, std::max(summed * summed, least_chance));
+      EXPECT_LE(bounded, std::max(summed, least_chance));
+    }
+  }
 }
 
 TEST(RouteChance, OfAnEntryIsOneInTheWidthOfItsError) {

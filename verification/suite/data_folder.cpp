@@ -18,6 +18,11 @@ fs::path running_program() { return fs::read_symlink("/proc/self/exe"); }
 
 fs::path data_folder_of(const fs::path& program) {
   const fs::path folder = folder_beside(program);
+  std::error_code no_folder;
+  if (!fs::is_directory(folder, no_folder)) {
+    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                            "cannot find the program's data in " + folder.string());
+  }
   for (const fs::path& file : data_files()) {
     std::error_code error;
     if (fs::is_regular_file(folder / file, error)) continue;
