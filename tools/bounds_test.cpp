@@ -130,13 +130,15 @@ TEST_F(Bounds, OwnFilters) {
 TEST_F(Bounds, Tables) {
   const std::string header = "filter,quantity,index,printed\n";
   put("filters.csv", header + joined(5000, [](int i) {
-                       return fmt::format("bspline{}.{},h,0,1\n", 1 + i % 100, 1 + i % 2 + 2 * (i / 100));
+                       return fmt::format("bspline{}.{},h,0,1\n", 1 + i % 100,
+                                          1 + i % 2 + 2 * (i / 100));
                      }));
   expect_end("check filters.csv", 2, "more than 200 filters");
   put("rows.csv",
       header + joined(100'000, [](int i) { return fmt::format("db4,alpha,{0},1.{0}\n", i); }));
   expect_end("check rows.csv", 2, "out of range");
-  put("zeros.csv", header + joined(20'000, [](int i) { return fmt::format("db4,h,{},0\n", i); }));
+  put("zeros.csv",
+      header + joined(100'000, [](int i) { return fmt::format("db4,h,{},0\n", 8 + i); }));
   expect_end("check zeros.csv", 0);
   put("far.csv", header + "db4,h,-1000000000,0.5\ndb4,h,1000000000,0.25\n");
   expect_end("check far.csv", 2, "out of range");

@@ -75,8 +75,9 @@ def untimed(text):
 
 
 def files_of(folder):
+    """All but temporary ones: a program without memory may leave them, and the next run removes them."""
     return {str(path.relative_to(folder)): untimed(path.read_bytes())
-            for path in sorted(folder.rglob("*")) if path.is_file()}
+            for path in sorted(folder.rglob("*")) if path.is_file() and ".wavecurve-" not in str(path)}
 
 
 class Trial:
@@ -90,6 +91,7 @@ class Trial:
             folder = pathlib.Path(place) / "here"
             shutil.copytree(self.ground, folder)
             variables = {**os.environ, "LD_PRELOAD": self.options.library, "LC_ALL": "C",
+                         "SOURCE_DATE_EPOCH": "0",
                          **{name: value.replace("HERE", place) for name, value in environment.items()}}
             ended = subprocess.run([self.options.program, *shlex.split(self.command)], cwd=folder, env=variables,
                                    stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
