@@ -77,9 +77,8 @@ struct Turn {
   }
   double angle() const { return std::abs(arctangent(sine, cosine)); }
   /// Spares most points the angle.
-  bool may_be_corner() const {
-    static const double slope = tangent(corner_turn);
-    return cosine <= 0 || std::abs(sine) > slope * cosine;
+  bool may_be_corner(double corner_slope) const {
+    return cosine <= 0 || std::abs(sine) > corner_slope * cosine;
   }
   double sine, cosine;  ///< times the lengths of the edges
 };
@@ -87,13 +86,19 @@ struct Turn {
 std::vector<bool> corners(const Columns& points) {
   const Index n = points.rows();
   std::vector<bool> corner(static_cast<std::size_t>(n), false);
+  const double corner_slope = tangent(corner_turn);
+  std::vector<double> angles(static_cast<std::size_t>(n));
   for (Index key = 0; key < points.cols() / 2; ++key) {
+    std::ranges::fill(angles, -1);  // not yet known; a bend asks for those of its neighbours
+    const auto angle = [&](Index j) {
+      double& known = angles[static_cast<std::size_t>(j)];
+      if (known < 0) known = Turn(points, key, j).angle();
+      return known;
+    };
     for (Index j = 0; j < n; ++j) {
-      const Turn turn(points, key, j);
-      if (!turn.may_be_corner()) continue;
-      const double beside =
-          (Turn(points, key, (j + n - 1) % n).angle() + Turn(points, key, (j + 1) % n).angle()) / 2;
-      if (turn.angle() - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
+      if (!Turn(points, key, j).may_be_corner(corner_slope)) continue;
+      const double beside = (angle((j + n - 1) % n) + angle((j + 1) % n)) / 2;
+      if (angle(j) - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
     }
   }
   return corner;
