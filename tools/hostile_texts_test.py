@@ -11,7 +11,6 @@ figures go to FILE.json, for docs/reliability.md.
 """
 
 import csv
-import datetime
 import html.parser
 import io
 import json
@@ -24,6 +23,8 @@ import tempfile
 import unicodedata
 import xml.etree.ElementTree
 import xml.sax.saxutils
+
+from trial_record import write_record
 
 BENIGN = "plain"
 HOSTILE = [
@@ -258,11 +259,8 @@ def main():
         print(failure)
     print(f"{len(HOSTILE)} names, {runs} runs, {len(failures)} violations")
     if len(sys.argv) == 3:
-        revision = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False,
-                                  cwd=pathlib.Path(__file__).parent).stdout.strip()
-        figures = {"date": datetime.date.today().isoformat(), "revision": revision, "names": len(HOSTILE),
-                   "outputs": len(expected), "runs": runs, "violations": len(failures)}
-        pathlib.Path(sys.argv[2]).write_text(json.dumps(figures, indent=1) + "\n")
+        write_record(sys.argv[2], {"names": len(HOSTILE), "outputs": len(expected), "runs": runs,
+                                   "violations": len(failures)})
     sys.exit(1 if failures else 0)
 
 

@@ -27,6 +27,9 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from trial_record import write_record
+
 ERRORS = {"write": errno.ENOSPC, "short": 0, "fsync": errno.EIO, "rename": errno.ENOSPC, "open": errno.EMFILE,
           "close": errno.EIO, "fchmod": errno.EPERM, "chmod": errno.EPERM, "mkstemp": errno.ENOSPC,
           "mkdtemp": errno.ENOSPC, "fopen": errno.EMFILE, "tmpfile": errno.ENOSPC, "read": errno.EIO,
@@ -338,7 +341,7 @@ def main():
         row[outcome] += count
     figures = {"sample": options.sample, "seconds": round(time.monotonic() - start), "rows": list(rows.values())}
     if options.output:
-        options.output.write_text(json.dumps(figures, indent=1) + "\n")
+        write_record(options.output, figures)
     for line in sweep.broken:
         print(line)
     total = sum(row["runs"] for row in figures["rows"])

@@ -24,6 +24,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from trial_record import write_record
+
 SQUARE = '<svg viewBox="0 0 9 9"><style>.a{fill:red}</style><path class="a" d="M0 0H9V9H0Z"/></svg>'
 DISC = '<svg viewBox="0 0 9 9"><g transform="scale(2)"><circle id="c" cx="2" cy="2" r="2"/></g></svg>'
 TABLE = "filter,quantity,index,printed\ndb2,h,0,0.48296\ndb2,alpha,0,1.0\ndb3,mu,0,5.26794\n"
@@ -154,10 +157,10 @@ def main():
                     if end in ("signal", "other")]
     total = {key: sum(row[key] for row in report.values()) for key in
              ("runs", "unharmed", "refused", "glibc", "signal", "other")}
-    text = json.dumps({"commands": report, "total": total}, indent=1)
-    print(text)
+    figures = {"commands": report, "total": total}
+    print(json.dumps(figures, indent=1))
     if options.json:
-        pathlib.Path(options.json).write_text(text + "\n")
+        write_record(options.json, figures)
     for line in bad:
         print(line, file=sys.stderr)
     return 1 if bad else 0

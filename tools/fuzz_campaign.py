@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Runs every fuzzer of a build for some time, one after the other, and records what came of it.
+
+usage: tools/fuzz_campaign.py BUILD SECONDS FILE.json
+BUILD is a build tree (build/release) whose tests fuzz.* are the fuzzers. Exit codes: 0 nothing found, 1 something,
+each named, 2 bad usage.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+from trial_record import write_record
+
+
+def fuzzers(build):
+    listed = subprocess.run(["ctest", "--test-dir", build, "-R", "^fuzz\\.", "--show-only=json-v1"], check=True,
+                            capture_output=True, text=True)
+    return {test["name"].removeprefix("fuzz."): test["command"] for test in json.loads(listed.stdout)["tests"]}
+
+
+def campaign(command, seconds):
+    """What one fuzzer did: its last line of coverage and its final statistics."""
+    command = [f"-max_total_time={seconds}" if word.startswith("-max_total_time") else
+               "-verbosity=1" if word.startswith("-verbosity") else word for word in command]
+    ended = subprocess.run(command + ["-print_final_stats=1"], capture_output=True, text=True, errors="replace", check=False)
+    executions = re.search(r"number_of_executed_units: (\d+)", ended.stderr)
+    features = re.findall(r" ft: (\d+)", ended.stderr)
+    return {"executions": int(executions.group(1)) if executions else 0, "features": int(features[-1]) if features else 0,
+            "found": 0 if ended.returncode == 0 else 1}
+
+
+def main():
+    if len(sys.argv) != 4 or not sys.argv[2].isdigit():
+        print(__doc__.splitlines()[2], file=sys.stderr)
+        return 2
+    build, seconds, record = sys.argv[1:]
+    rows = []
+    for name, command in sorted(fuzzers(pathlib.Path(build)).items()):
+        rows.append({"fuzzer": name, **campaign(command, seconds)})
+        print(rows[-1], flush=True)
+    write_record(record, {"seconds": int(seconds), "fuzzers": rows})
+    return 1 if any(row["found"] for row in rows) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
