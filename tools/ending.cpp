@@ -60,7 +60,7 @@ void watch_signals() {
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
-    // Of the closed numbers the least is taken. What is written to the output must not pass for
+    // The least of the closed numbers is taken. What is written to the output must not pass for
     // written, but messages may be lost.
     ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
   }

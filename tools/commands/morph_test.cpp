@@ -129,8 +129,10 @@ TEST_F(MorphCommand, RefusesBadInput) {
   expect_refusal("morph a.svg b.svg -o out.json --scale 7", "scale is 7");
   expect_refusal("morph a.svg b.svg -o out.json --scale fine",
                  "--scale is 'fine', but must be a number");
-  expect_refusal("morph a.svg b.svg -o out.json --frames 1", "--frames: '1' is not a whole number from 2");
-  expect_refusal("morph a.svg b.svg -o out.json --duration 0", "--duration: '0' is not a number from 0.001");
+  expect_refusal("morph a.svg b.svg -o out.json --frames 1",
+                 "--frames: '1' is not a whole number from 2");
+  expect_refusal("morph a.svg b.svg -o out.json --duration 0",
+                 "--duration: '0' is not a number from 0.001");
   expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
   expect_refusal("morph a.svg b.svg -o out.json --map face", "must be two layers, a=b");
   expect_refusal("morph a.svg b.svg -o out.json --map face=nose",

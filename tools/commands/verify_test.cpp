@@ -136,8 +136,8 @@ TEST_F(VerifyCommand, RefusesAReferenceOfAnotherVersionInOneLine) {
 
 TEST_F(VerifyCommand, SaysWhereTheReportCannotBeWritten) {
   io::write_file(directory / "file", "");
-  const ProgramRun unwritable =
-      verify("--bless --only erratum-2-5 --output '" + (directory / "file" / "report").string() + "'");
+  const ProgramRun unwritable = verify("--bless --only erratum-2-5 --output '" +
+                                       (directory / "file" / "report").string() + "'");
   EXPECT_EQ(unwritable.exit_code, 3);
   EXPECT_TRUE(has(unwritable.err, "file/report")) << unwritable.err;
 }

@@ -7,7 +7,7 @@ namespace wavecurve {
 /// processor. Of 0, minus infinity; below 0, and of what is no number, no number.
 double logarithm(double x);
 
-/// log(x) / log(10), within three units: one of the logarithm may be two of the
+/// log(x) / log(10), within three units: one of the logarithm may be two of the quotient. Exact for
 /// quotient. Exact for powers of ten that are
 /// doubles, 10^0 .. 10^22.
 double logarithm_10(double x);

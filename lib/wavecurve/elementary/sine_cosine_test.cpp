@@ -56,7 +56,7 @@ std::vector<double> hard_angles() {
       x = std::nextafter(x, infinity);
     }
   }
-  // Of all doubles, the one nearest to a multiple of pi/2.
+  // No other double is nearer to a multiple of pi/2.
   angles.push_back(std::ldexp(6381956970095103.0, 797));
   for (const double x : {0x1p20, 0x1p1023, 0x1p-1074, 0x1p-1022, 0x1p-30, 1e22}) {
     for (const double near : {std::nextafter(x, 0), x, std::nextafter(x, infinity)}) {

@@ -93,7 +93,7 @@ std::vector<std::string> encoder(const std::string& ending, RasterSize size, dou
   return words;
 }
 
-/// Of what a program says the first line that is not empty, cut off where it gets long.
+/// The first line of what a program says that is not empty, cut off where it gets long.
 std::string first_complaint_of(const ChildProcess& program, int exit_code) {
   constexpr std::size_t longest = 300;
   const std::string& text = program.err();

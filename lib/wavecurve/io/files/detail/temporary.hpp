@@ -25,7 +25,7 @@ class Temporary {
   ~Temporary();
 
   const std::filesystem::path& path() const { return path_; }
-  /// Of a file: open for reading and writing. Of a folder: for locking only.
+  /// A file is open for reading and writing, a folder for locking only.
   int descriptor() const { return descriptor_.number(); }
 
   /// Renames this to the target, and over an older file. A file is synced before, and has the
