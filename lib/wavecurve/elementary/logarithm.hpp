@@ -8,8 +8,7 @@ namespace wavecurve {
 double logarithm(double x);
 
 /// log(x) / log(10), within three units: one of the logarithm may be two of the quotient. Exact for
-/// quotient. Exact for powers of ten that are
-/// doubles, 10^0 .. 10^22.
+/// powers of ten that are doubles, 10^0 .. 10^22.
 double logarithm_10(double x);
 
 }  // namespace wavecurve
