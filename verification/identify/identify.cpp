@@ -109,7 +109,8 @@ std::vector<Candidate> candidates_of(const Query& query) {
   std::map<std::size_t, int> votes_of_divided;
   for (const std::size_t i : telling_numbers(query)) {
     const double size = std::abs(query.values[i]), tolerance = query.tolerances[i];
-    if (size == 0) continue;
+    // A number without a digit that is sure is among the small ones of nearly every column.
+    if (size < 10 * tolerance) continue;
     for (int k = -most_half_powers; k <= most_half_powers; ++k) {
       const double scale = power_of_root_two(k);
       plain.find(size / scale, tolerance / scale, [&](std::size_t c) { ++votes[{c, k}]; });

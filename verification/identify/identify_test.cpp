@@ -60,6 +60,13 @@ TEST(Identify, FindsAPartAndALooseOrder) {
   EXPECT_EQ(loose.front().column->filter, "db6");
 }
 
+TEST(Identify, NumbersBelowTheirOwnDecimalsDoNotHideIt) {
+  const KnownColumn& column = known("db6", "phi");  // its last value is 4e-9
+  for (const int decimals : {9, 10, 12}) {
+    EXPECT_TRUE(names(identify(list_of(column.values.taps, decimals)), column)) << decimals;
+  }
+}
+
 TEST(Identify, OneMisprintDoesNotHideIt) {
   const KnownColumn& column = known("coif2", "h");
   std::vector<double> values = column.values.taps;
