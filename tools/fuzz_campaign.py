@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs every fuzzer of a build for some time, one after the other, and records what came of it.
+"""Runs every fuzzer of a build for some time, one after the other, and records what came of it. The inputs differ
+from run to run; those that reach something new are kept in the build tree, and the next campaign starts with them.
 
 usage: tools/fuzz_campaign.py BUILD SECONDS FILE.json
 BUILD is a build tree (build/release) whose tests fuzz.* are the fuzzers. Exit codes: 0 nothing found, 1 something,
@@ -22,8 +23,14 @@ def fuzzers(build):
 
 def campaign(command, seconds):
     """What one fuzzer did: its last line of coverage and its final statistics."""
-    command = [f"-max_total_time={seconds}" if word.startswith("-max_total_time") else
-               "-verbosity=1" if word.startswith("-verbosity") else word for word in command]
+    fuzzer, *words = command
+    prefix = next(word for word in words if word.startswith("-artifact_prefix="))
+    kept = pathlib.Path(prefix.removeprefix("-artifact_prefix=").removesuffix("-"))
+    kept.mkdir(exist_ok=True)
+    bounds = ("-seed=", "-runs=", "-max_total_time=", "-verbosity=")
+    words = [word for word in words if not word.startswith(bounds)]
+    # What a campaign keeps goes into the first folder.
+    command = [fuzzer, f"-max_total_time={seconds}", "-verbosity=1", str(kept), *words]
     ended = subprocess.run(command + ["-print_final_stats=1"], capture_output=True, text=True, errors="replace", check=False)
     executions = re.search(r"number_of_executed_units: (\d+)", ended.stderr)
     features = re.findall(r" ft: (\d+)", ended.stderr)

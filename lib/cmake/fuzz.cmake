@@ -1,5 +1,6 @@
 # Fuzzers of everything that reads, where clang and its fuzzer runtime are there: built beside everything else, by
-# clang whichever compiler the rest is built with, and run as tests for some seconds each.
+# clang whichever compiler the rest is built with. As tests they try the same inputs every time, for some seconds;
+# what has not been tried yet is for tools/fuzz_campaign.py.
 #
 #   wavecurve_fuzz_object(NAME SOURCE)   compiles a file, instrumented
 #   wavecurve_fuzzer(NAME FOLDER DICTIONARY OBJECTS name... LIBRARIES target...)
@@ -84,10 +85,10 @@ function(wavecurve_fuzzer name folder dictionary)
   add_custom_target(fuzzer_${name} DEPENDS ${fuzzer})
   add_dependencies(fuzzers fuzzer_${name})
   set(found ${WAVECURVE_FUZZ_DIR}/found/${name})
-  file(MAKE_DIRECTORY ${found})
+  file(MAKE_DIRECTORY ${WAVECURVE_FUZZ_DIR}/found)
   add_test(NAME fuzz.${name}
-           COMMAND ${fuzzer} -max_total_time=5 -max_len=4096 -timeout=10 -verbosity=0 -dict=${dictionary}
-                   -artifact_prefix=${found}- ${found} ${folder}/corpus/${name})
+           COMMAND ${fuzzer} -seed=1 -runs=20000 -max_total_time=5 -max_len=4096 -timeout=10 -verbosity=0
+                   -dict=${dictionary} -artifact_prefix=${found}- ${folder}/corpus/${name})
   set_tests_properties(fuzz.${name} PROPERTIES COST 10)
 endfunction()
 

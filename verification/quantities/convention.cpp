@@ -171,6 +171,23 @@ double tolerance_for(const std::vector<EntryToPlace>& entries) {
   return 1e-4 * largest;
 }
 
+int whole_shift(std::string_view text) {
+  const EntryIndex shift = parse_entry_index(text);
+  if (shift.is_integer()) return shift.integer();
+  throw std::invalid_argument("the shift " + excerpt(text) +
+                              " of the convention must be a whole number");
+}
+
+/// The powers of sqrt(2) in "*sqrt2", "/2" and their products.
+int stated_factor(std::string_view text) {
+  const Quantity quantity = parse_quantity("h" + std::string(text));
+  if (quantity.divided_by_first) {
+    throw std::invalid_argument("the factor " + excerpt(text) +
+                                " of the convention must be a product of *sqrt2, /sqrt2, *2, /2");
+  }
+  return quantity.half_powers;
+}
+
 }  // namespace
 
 bool Convention::is_the_librarys() const {
@@ -196,9 +213,9 @@ StatedConvention parse_convention(std::string_view text) {
     } else if (word == "from 0") {
       result.from_zero = true;
     } else if (word.starts_with("shift ")) {
-      result.shift = convention.shift = parse_entry_index(word.substr(6)).integer();
+      result.shift = convention.shift = whole_shift(io::trimmed(word.substr(6)));
     } else if (word.starts_with('*') || word.starts_with('/')) {
-      convention.half_powers = parse_quantity("h" + std::string(word)).half_powers;
+      convention.half_powers = stated_factor(word);
     } else {
       throw std::invalid_argument(
           "the convention " + excerpt(word) +

@@ -92,7 +92,10 @@ TEST(Convention, IsStatedInWords) {
   EXPECT_TRUE(stated.from_zero);
   EXPECT_EQ(stated.convention.half_powers, 1);
   EXPECT_EQ(parse_convention("shift -4").shift, -4);
-  EXPECT_THROW(parse_convention("upside down"), std::invalid_argument);
+  for (const char* wrong :
+       {"upside down", "shift 1/2", "shift (2, 1)", "shift", "*2/first", "/first"}) {
+    EXPECT_THROW(parse_convention(wrong), std::invalid_argument) << wrong;
+  }
 }
 
 }  // namespace
