@@ -25,18 +25,13 @@ trap 'rm -rf -- "$work"' EXIT
 # bootstrapped from counted operations, not from times.
 without_times() { grep -vE '"(seconds|generated|revision)"' "$1"; }
 
-# All solvers but coupled-cash-karp and coupled-dormand-prince: their steps are chosen by Boost.Odeint, with
-# the C library's pow, and do differ by processor.
-solvers=spectral,decoupled,block-decoupled,coupled,coupled-dense,implicit,implicit-ldlt,implicit-rosenbrock
-solvers+=,implicit-rosenbrock-ldlt,massless,massless-euler,massless-backward-euler,massless-crank-nicolson
-
 results() { # FOLDER COMMAND...: every result as a file
   local folder=$1
   shift
   mkdir -p "$folder"
   "$@" gait fit "$examples/dog-walk.csv" --scale 16 -o "$folder/gait.json" >"$folder/gait.txt"
   for shape in ellipse star dent; do
-    "$@" compare --samples 32 --levels 5 --shape $shape --damping 0,0.1 --solvers $solvers \
+    "$@" compare --samples 32 --levels 5 --shape $shape --damping 0,0.1 \
       --format json >"$folder/compare.json.$shape"
     without_times "$folder/compare.json.$shape" >"$folder/compare-$shape.json"
     rm "$folder/compare.json.$shape"

@@ -56,6 +56,21 @@ class ErrorNorm {
   double tolerance_;
 };
 
+/// How Odeint changes a step, with roots that are the same on every processor, as pow is not.
+class StepAdjuster {
+ public:
+  double decrease_step(double h, double error, int error_order) const {
+    return h * std::max(0.9 * root(1 / error, error_order - 1), 0.2);
+  }
+  /// Up to 4.5 times the step; below half of what is allowed, for growth that is soon undone is dear.
+  double increase_step(double h, double error, int order) const {
+    if (error >= 0.5) return h;
+    return h * 0.9 * std::min(root(1 / error, order), 5.0);
+  }
+  bool check_step_size_limit(double) const { return true; }  // there is none
+  double get_max_dt() const { return 0; }
+};
+
 /// Classic Runge-Kutta steps with their halves, a controlled stepper as Odeint's are.
 class StepDoubling {
  public:
@@ -210,9 +225,11 @@ Trajectory solve(const InitialValueProblem& problem, RungeKutta method, double t
   if (method == RungeKutta::step_doubling) return integration.with_cut_steps(StepDoubling(norm));
   if (method == RungeKutta::cash_karp) {
     return integration.with_cut_steps(
-        odeint::controlled_runge_kutta<odeint::runge_kutta_cash_karp54<State>, ErrorNorm>(norm));
+        odeint::controlled_runge_kutta<odeint::runge_kutta_cash_karp54<State>, ErrorNorm,
+                                       StepAdjuster>(norm));
   }
-  using Controlled = odeint::controlled_runge_kutta<odeint::runge_kutta_dopri5<State>, ErrorNorm>;
+  using Controlled =
+      odeint::controlled_runge_kutta<odeint::runge_kutta_dopri5<State>, ErrorNorm, StepAdjuster>;
   return integration.with_dense_output(
       odeint::dense_output_runge_kutta<Controlled>(Controlled(norm)));
 }
