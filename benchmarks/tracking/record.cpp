@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "wavecurve/io/files/detail/folder_lock.hpp"
 #include "wavecurve/io/files/detail/json_place.hpp"
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
@@ -33,6 +34,8 @@ fs::path append_record(const fs::path& history, const Json& record) {
   std::string stem = record.at("date").get<std::string>() + "-" +
                      record.at("revision").at("commit").get<std::string>().substr(0, 10);
   std::ranges::replace(stem, ':', '-');
+  // Records of two runs that end in the same second get two names.
+  const io::FolderLock one_at_a_time(history, io::IfLocked::wait);
   fs::path path = history / (stem + ".json");
   for (int i = 2; fs::exists(path); ++i)
     path = history / (stem + "-" + std::to_string(i) + ".json");

@@ -116,24 +116,30 @@ bool report_failures(const std::vector<ClaimResult>& results) {
   return has_failure;
 }
 
+/// Runs the claims and writes the report.
+std::vector<ClaimResult> run_and_report(const VerifyOptions& options,
+                                        const std::vector<Claim>& chosen) {
+  // Made before the work is done, so that a place that cannot be written is known at once.
+  io::OutputFolder output(options.output);
+  const std::string date = reports::date_of_report();
+
+  const bool watched = isatty(STDERR_FILENO) != 0;
+  auto results = run_claims(
+      chosen, watched ? verification::Progress(show_progress) : verification::Progress());
+  reports::write_report({{}, date, WAVECURVE_VERSION, results}, output.staging());
+  output.publish();
+  fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
+             printable((options.output / "index.html").string()));
+  return results;
+}
+
 void verify(const VerifyOptions& given, ExitCode& exit_code) {
   const VerifyOptions options = with_defaults(given);
   const std::vector<Claim> chosen = chosen_claims(options.only);
   const bool is_partial = !options.only.empty();
   const auto reference =
       options.bless ? std::vector<BlessedClaim>() : read_reference(options.reference);
-  // Made before the work is done, so that a place that cannot be written is known at once.
-  io::OutputFolder output(options.output);
-  const std::string date = reports::date_of_report();
-
-  const bool watched = isatty(STDERR_FILENO) != 0;
-  const auto results = run_claims(
-      chosen, watched ? verification::Progress(show_progress) : verification::Progress());
-  reports::write_report({{}, date, WAVECURVE_VERSION, results}, output.staging());
-  output.publish();
-  fmt::print("{}\nreport: {}\n", reports::terminal_table(results, terminal_width()),
-             printable((options.output / "index.html").string()));
-
+  const auto results = run_and_report(options, chosen);
   if (report_failures(results)) exit_code = environment_failed;
   if (options.bless) {
     write_reference(options.reference, results, is_partial);

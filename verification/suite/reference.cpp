@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/io/files/detail/folder_lock.hpp"
 #include "wavecurve/io/files/detail/json_place.hpp"
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/parse_json.hpp"
@@ -105,6 +106,10 @@ std::vector<BlessedClaim> read_reference(const std::filesystem::path& path) {
 
 void write_reference(const std::filesystem::path& path, std::span<const ClaimResult> results,
                      bool keep_others) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::filesystem::create_directories(folder);
+  // Between reading and writing, no other run may bless its own claims, which would be lost.
+  const io::FolderLock one_at_a_time(folder, io::IfLocked::wait);
   std::vector<BlessedClaim> blessed = bless_all(results);
   const auto is_kept = [&](const BlessedClaim& old) {
     const bool has_run = std::ranges::any_of(
@@ -120,7 +125,6 @@ void write_reference(const std::filesystem::path& path, std::span<const ClaimRes
   nlohmann::ordered_json document = {{"schema", schema_version},
                                      {"claims", nlohmann::ordered_json::array()}};
   for (const BlessedClaim& claim : blessed) document["claims"].push_back(to_json(claim));
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   io::write_file(path, io::json_text(document, 2) + "\n");
 }
 

@@ -1,8 +1,10 @@
 #include "verification/suite/reference.hpp"
 
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -105,6 +107,18 @@ TEST_F(Reference, APartialRunMissesNothingAndBlessesOnlyItself) {
   EXPECT_EQ(read[1].id, "sparse");
   write_reference(file, run, false);
   EXPECT_EQ(read_reference(file).size(), 1u);
+}
+
+TEST_F(Reference, RunsThatBlessAtOnceLoseNothing) {
+  for (int round = 0; round < 50; ++round) {
+    std::filesystem::remove(file);
+    std::vector<std::jthread> runs;
+    for (const ClaimResult& claim : blessed) {
+      runs.emplace_back([&] { write_reference(file, std::span(&claim, 1), true); });
+    }
+    runs.clear();
+    ASSERT_EQ(read_reference(file).size(), blessed.size());
+  }
 }
 
 TEST_F(Reference, WhatFailedIsNeitherComparedNorBlessed) {
