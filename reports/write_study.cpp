@@ -30,7 +30,7 @@ constexpr const char* conditions =
     "Rest shape the unit circle, density and stiffness 1, released at rest, t from 0 to 1; errors "
     "against the exact motion at 41 equally spaced times. Integration error and model error are "
     "apart: what is solved in closed form has no tolerance, and ends at the floor of its model. "
-    "Seconds are processor time of one thread, the least of up to 5 runs, with other solves "
+    "Times are processor time of one thread, the minimum of up to five runs, with other solves "
     "running on the other cores. The energy drift is the largest change of the total energy since "
     "the start if there is no damping, the largest increase from one time to the next if there is.";
 

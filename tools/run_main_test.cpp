@@ -119,11 +119,11 @@ TEST_F(ExitCodes, AreTheSameOfTheProgramForBenchAlone) {
   }
 }
 
-TEST_F(ExitCodes, StandInTheReadme) {
-  const std::string readme = io::read_file(WAVECURVE_SOURCE_DIR "/README.md");
+TEST_F(ExitCodes, StandInTheDocumentation) {
+  const std::string page = io::read_file(WAVECURVE_SOURCE_DIR "/docs/index.md");
   for (std::size_t code = 0; code < std::size(exit_code_meanings); ++code) {
     const std::string row = "| " + std::to_string(code) + " | " + exit_code_meanings[code] + " |\n";
-    EXPECT_NE(readme.find(row), std::string::npos) << row;
+    EXPECT_NE(page.find(row), std::string::npos) << row;
   }
 }
 

@@ -78,16 +78,16 @@ void add_record(CLI::App& bench) {
   CLI::Option* filter =
       command->add_option("--filter", arguments->options.filter,
                           "Time only benchmarks that match this regular expression");
-  CLI::Option* repetitions =
-      command->add_option("--repetitions", arguments->options.repetitions, "Of each benchmark");
+  CLI::Option* repetitions = command->add_option("--repetitions", arguments->options.repetitions,
+                                                 "Repetitions per benchmark");
   repetitions->check(whole_number_from(1, 1000))->capture_default_str();
   CLI::Option* only_kernels = command->add_flag("--only-kernels", arguments->only_kernels,
                                                 "Time the marked kernels, not the other programs");
-  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing")
+  command->add_flag("--only-counts", arguments->only_counts, "Count instructions, time nothing")
       ->excludes(filter, repetitions, only_kernels);
   command
       ->add_option("--history", arguments->history,
-                   "Folder of the records; benchmarks/history of the clone if not given")
+                   "Folder of the records; by default benchmarks/history of the clone")
       ->type_name("DIR");
   command->callback([arguments] { run_record(*arguments); });
 }
@@ -117,7 +117,7 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
   CompareOptions& options = arguments->options;
   CLI::App* command = bench.add_subcommand(
       "compare",
-      "Two revisions, records or builds: instructions, accuracy, times. Exit codes: 0 no "
+      "Compare two revisions, records or builds by instructions, accuracy and times. Exit codes: 0 no "
       "regression, 1 regression, 4 inconclusive, 5 different machines");
   command->add_option("before", arguments->a, "A revision, a record, or a folder with programs")
       ->required();
@@ -128,16 +128,16 @@ void add_compare(CLI::App& bench, ExitCode& exit_code) {
                           "Time the benchmarks of all programs that match this regular expression; "
                           "the marked kernels if not given");
   CLI::Option* blocks =
-      command->add_option("--blocks", options.blocks, "A B B A, of each benchmark");
+      command->add_option("--blocks", options.blocks, "Blocks A B B A per benchmark");
   blocks->check(whole_number_from(6, 1000))->capture_default_str();
   CLI::Option* threshold = command->add_option("--threshold", options.thresholds.time,
-                                               "Of a change of time that matters");
+                                               "Smallest relative change of time that counts");
   threshold->check(number_from(0, 1))->capture_default_str();
-  CLI::Option* seed = command->add_option("--seed", options.seed, "Of the order");
+  CLI::Option* seed = command->add_option("--seed", options.seed, "Random seed for the order");
   seed->check(whole_number_from(0, std::numeric_limits<long>::max()))->capture_default_str();
-  command->add_flag("--only-counts", arguments->only_counts, "Count and time nothing")
+  command->add_flag("--only-counts", arguments->only_counts, "Count instructions, time nothing")
       ->excludes(filter, blocks, threshold, seed);
-  command->add_flag("--all", arguments->all, "Show also what is the same");
+  command->add_flag("--all", arguments->all, "Also show what is unchanged");
   command->add_flag("--force", options.is_forced, "Compare records of different machines");
   command->add_option("--json", arguments->json, "Write the comparison as JSON")->type_name("FILE");
   command->add_option("--markdown", arguments->markdown, "Write it for a pull request")
@@ -223,15 +223,15 @@ ExitCode run_check(const CheckArguments& arguments) {
 void add_check(CLI::App& bench, ExitCode& exit_code) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = bench.add_subcommand(
-      "check", "Instruction counts and accuracy of a build against the blessed record");
+      "check", "Compare instruction counts and accuracy of a build with the blessed record");
   command->add_option("build", arguments->build,
-                      "Folder with kernel_benchmark; build/release/bin of the clone if not given");
+                      "Folder with kernel_benchmark; by default build/release/bin of the clone");
   command
       ->add_option("--baseline", arguments->baseline,
-                   "The blessed record; benchmarks/baseline/counts.json of the clone if not given")
+                   "The blessed record; by default benchmarks/baseline/counts.json of the clone")
       ->type_name("FILE");
   command->add_flag("--bless", arguments->bless, "Make this build's record the blessed one");
-  command->add_flag("--all", arguments->all, "Show also what is the same")
+  command->add_flag("--all", arguments->all, "Also show what is unchanged")
       ->excludes(command->get_option("--bless"));
   command->callback([arguments, &exit_code] {
     arguments->baseline = given_or_of_clone(arguments->baseline, "benchmarks/baseline/counts.json");

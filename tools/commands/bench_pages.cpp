@@ -39,7 +39,7 @@ void add_history(CLI::App& bench) {
       bench.add_subcommand("history", "Charts over the records, change points marked, as a page");
   command
       ->add_option("--history", *history,
-                   "Folder of the records; benchmarks/history of the clone if not given")
+                   "Folder of the records; by default benchmarks/history of the clone")
       ->type_name("DIR");
   command
       ->add_option("-o,--output", *output,

@@ -71,7 +71,7 @@ void check_published_table(const CheckOptions& options, ExitCode& exit_code) {
 void add_check_command(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
-      "check", "Hold the numbers of a published table against their certified values");
+      "check", "Compare the numbers of a published table with their certified values");
   command
       ->add_option(
           "table", options->table,
@@ -89,7 +89,7 @@ void add_check_command(CLI::App& app, ExitCode& exit_code) {
       "Also write a page (.html) with the wrong digits marked, its rows to be chosen "
       "by verdict");
   command->add_flag("--explain", options->explain,
-                    "Put carets under the digits that depart from the true value");
+                    "Mark the digits that depart from the true value with carets");
   command->footer(
       "Verdicts: certified, form, published-route, misprint, agrees-to-digits, discrepant, "
       "undecided.\n"

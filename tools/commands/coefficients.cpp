@@ -193,7 +193,7 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<CoefficientsOptions>();
   CLI::App* command =
       app.add_subcommand("coefficients", "Print certified connection coefficients alpha, mu, nu");
-  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
+  command->add_option("NAME", options->name, "Filter name, or path to a JSON filter file")
       ->required();
   CLI::Option* derivatives = command->add_option("--derivatives", options->derivatives,
                                                  "Orders p,q of the two derivatives");

@@ -84,9 +84,9 @@ TEST_F(CoefficientsCommand, TheHeaderCompiles) {
 }
 
 TEST_F(CoefficientsCommand, RefusesBadInput) {
-  expect_refusal("coefficients haar", "its Sobolev exponent is 0.5000, needed is more than 1.0");
-  expect_refusal("coefficients D4", "its Sobolev exponent is 1.000, needed is more than 1.0");
-  expect_refusal("coefficients db4 --derivatives 2,2", "needed is more than 2.0");
+  expect_refusal("coefficients haar", "its Sobolev exponent is 0.5000, but it must exceed 1.0");
+  expect_refusal("coefficients D4", "its Sobolev exponent is 1.000, but it must exceed 1.0");
+  expect_refusal("coefficients db4 --derivatives 2,2", "but it must exceed 2.0");
   expect_refusal("coefficients db4 --derivatives 1", "two whole numbers");
   expect_refusal("coefficients db4 --derivatives 1,x", "two whole numbers");
   expect_refusal("coefficients db4 --derivatives 9,0", "must be from 0 to 8");

@@ -140,18 +140,18 @@ void add_compare_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare",
-      "Errors and costs of the solvers of the equation of motion, against the exact one. Each of "
-      "--filter, --samples, --levels, --shape and --damping may be a list; the study is their "
-      "product, on all cores. Seconds are processor time of one thread, the least of up to 5 "
-      "runs.");
-  command->add_option("--filter", options->filters, "Filters' names, or JSON files with one's own")
+      "Compare errors and costs of the solvers of the equation of motion with the exact solution. "
+      "--filter, --samples, --levels, --shape and --damping may each be a list; the study is their "
+      "product and uses all cores. Times are processor time of one thread, the minimum of up to "
+      "five runs.");
+  command->add_option("--filter", options->filters, "Filter names, or paths to JSON filter files")
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("--samples", options->samples, "Numbers of samples, powers of two")
       ->check(samples_check())
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--levels", options->levels, "Levels of decomposition; all if not given")
+  command->add_option("--levels", options->levels, "Levels of decomposition; all by default")
       ->delimiter(',')
       ->check(levels_check());
   command
@@ -166,14 +166,16 @@ void add_compare_command(CLI::App& app, ExitCode&) {
       ->check(number_from(0, 1e12))
       ->delimiter(',')
       ->default_str("0,0 0,0.1 0,1");
-  command->add_option("--solvers", options->solvers, "Names, separated by commas; all if not given")
+  command
+      ->add_option("--solvers", options->solvers,
+                   "Solver names, separated by commas; all by default")
       ->delimiter(',');
   add_format_option(*command, options->format, {"text", "json", "csv"});
   command->add_option(
       "-o,--output", options->directory,
-      "Also write index.html with charts, compare.json and compare.csv into this folder; finished "
-      "points are kept there in compare.points.jsonl, and a run that was interrupted goes on from "
-      "them (remove that file to measure anew)");
+      "Also write index.html with charts, compare.json and compare.csv into this folder. Finished "
+      "points are kept there in compare.points.jsonl, from which an interrupted run resumes "
+      "(remove the file to measure again)");
   command->callback([options] { compare_solvers(*options); });
 }
 

@@ -93,22 +93,22 @@ void add_describe_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<DescribeOptions>();
   CLI::App* command = app.add_subcommand(
       "describe",
-      "The wavelet descriptor of a drawing: lengths and energies, or all of it as JSON");
+      "Print the wavelet descriptor of a drawing: lengths and energies, or all of it as JSON");
   command->add_option("IN", options->input, "A drawing (.svg) or points (.csv)")->required();
-  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+  command->add_option("--filter", options->filter, "Filter name, or path to a JSON filter file")
       ->capture_default_str();
   command
       ->add_option("--levels", options->levels,
-                   "Levels of decomposition; down to 16 coefficients if not given")
+                   "Levels of decomposition; by default down to 16 coefficients")
       ->check(levels_check());
-  command->add_option("--samples", options->samples, "Samples of each contour, a power of two")
+  command->add_option("--samples", options->samples, "Samples per contour, a power of two")
       ->check(samples_check())
       ->capture_default_str();
   command->add_flag("--interpolate", options->interpolate,
                     "The curve passes through the samples; without, they are its finest "
                     "coefficients, as in the publication");
-  command->add_flag("--keep-corners", options->keep_corners, "Corners become samples");
-  command->add_option("-o,--output", options->output, "Write the descriptor as JSON");
+  command->add_flag("--keep-corners", options->keep_corners, "Place a sample on every corner");
+  command->add_option("-o,--output", options->output, "File for the descriptor (JSON)");
   command->callback([options] { run_describe(*options); });
 }
 

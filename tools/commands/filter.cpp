@@ -258,13 +258,13 @@ void add_filter_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<FilterOptions>();
   CLI::App* command = app.add_subcommand("filter", "Print a filter bank, correctly rounded");
   CLI::Option* name =
-      command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own");
+      command->add_option("NAME", options->name, "Filter name, or path to a JSON filter file");
   add_digits_option(*command, options->digits);
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
   command->add_flag("--list", options->list, "Name all families, filters and aliases, and stop")
       ->excludes(name, command->get_option("--digits"), command->get_option("--format"));
   command->footer(
-      "A JSON file with one's own filter: {\"taps\": [\"0.48...\", ...]}, and where they are needed\n"
+      "A JSON filter file: {\"taps\": [\"0.48...\", ...]}, and where they are needed\n"
       "first_index   of the taps, 0 unless given\n"
       "sum           of the taps: \"sqrt2\", \"1\" or \"2\"\n"
       "dual          {\"taps\": [...], \"first_index\": ...}, the analysis side of a biorthogonal pair\n"

@@ -53,25 +53,25 @@ void fit(const FitOptions& options) {
 
 void add_fit(CLI::App* gait) {
   auto options = std::make_shared<FitOptions>();
-  CLI::App* command = gait->add_subcommand("fit", "Motion parameters from traced contours");
+  CLI::App* command = gait->add_subcommand("fit", "Fit motion parameters to traced contours");
   command
       ->add_option("TRACKS", options->tracks,
                    "A table of contours or joints (.csv, .csv.gz), SVG frames, or a folder of them")
       ->required();
   command->add_option("-o,--output", options->output, "The parameters, .json")->required();
-  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+  command->add_option("--filter", options->filter, "Filter name, or path to a JSON filter file")
       ->capture_default_str();
   command
       ->add_option("--scale", options->scale,
-                   "Control points of an outline, a power of two from 4 on, or full")
+                   "Control points per outline: a power of two, at least 4, or full")
       ->capture_default_str();
   command
       ->add_option("--samples", options->reading.samples,
-                   "Points of an outline, a power of two; as the file has it")
+                   "Points per outline, a power of two; as in the file by default")
       ->check(samples_check());
   command
       ->add_option("--thickness", options->reading.thickness,
-                   "Of limbs that are given by joints, as a share of their length")
+                   "Thickness of limbs that are given by joints, as a fraction of their length")
       ->check(number_above(0, 10, "times the length of the limb"))
       ->capture_default_str();
   command
@@ -156,8 +156,9 @@ void synthesize(const SynthesisOptions& options) {
 void add_synthesize(CLI::App* gait) {
   auto options = std::make_shared<SynthesisOptions>();
   CLI::App* command =
-      gait->add_subcommand("synthesize", "A drawing that walks by fitted parameters");
-  command->add_option("PARAMS", options->parameters, "Written by gait fit, .json")->required();
+      gait->add_subcommand("synthesize", "Animate a drawing that walks by fitted parameters");
+  command->add_option("PARAMS", options->parameters, "Parameters written by gait fit (.json)")
+      ->required();
   command
       ->add_option("DRAWING", options->drawing,
                    "An .svg with the layers LF, RF, LH, RH, and others")
@@ -165,11 +166,12 @@ void add_synthesize(CLI::App* gait) {
   command
       ->add_option(
           "-o,--output", options->output,
-          "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
+          "Output; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm "
+          ".png (folder)")
       ->required();
-  CLI::Option* gait_name =
-      command->add_option("--gait", options->gait, "walk, trot, pace or gallop; as recorded");
-  command->add_option("--frames", options->animation.frames, "Of all cycles")
+  CLI::Option* gait_name = command->add_option(
+      "--gait", options->gait, "walk, trot, pace or gallop; by default as recorded");
+  command->add_option("--frames", options->animation.frames, "Frames over all cycles")
       ->check(frames_check())
       ->capture_default_str();
   command->add_option("--cycles", options->animation.cycles, "Cycles")
@@ -179,23 +181,26 @@ void add_synthesize(CLI::App* gait) {
       ->add_option("--scale", options->animation.scale,
                    "Control points a contour, a power of two from 4 on; all points")
       ->check(samples_check());
-  command->add_option("--samples", options->animation.samples, "Points a contour, a power of two")
+  command->add_option("--samples", options->animation.samples, "Points per contour, a power of two")
       ->check(samples_check())
       ->capture_default_str();
   command
-      ->add_option("--period", options->period,
-                   "Seconds of a cycle; the record's, or 1 where its times number frames")
+      ->add_option(
+          "--period", options->period,
+          "Seconds per cycle; by default the record's, or 1 if its times are frame numbers")
       ->check(duration_check());
   command->add_flag("--smooth", options->smooth,
-                    "Equal velocities on both sides of each key frame, not places alone");
+                    "Make velocities continuous at key frames, not only positions");
   command
       ->add_flag("--subcycles", options->animation.subcycles,
                  "The publication's cycle: A to D from two key frames and gammas")
       ->excludes(gait_name);
   command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->add_option(
+          "--tolerance", options->tolerance,
+          "Maximum distance of the fitted cubics from the contour, in drawing units; 0 writes "
+          "polygons")
       ->check(tolerance_check())
       ->capture_default_str();
   command->callback([options] { synthesize(*options); });
@@ -205,8 +210,8 @@ void add_synthesize(CLI::App* gait) {
 
 void add_show(CLI::App* gait) {
   auto path = std::make_shared<std::string>();
-  CLI::App* command = gait->add_subcommand("show", "What fitted parameters say, as tables");
-  command->add_option("PARAMS", *path, "Written by gait fit, .json")->required();
+  CLI::App* command = gait->add_subcommand("show", "Print fitted parameters as tables");
+  command->add_option("PARAMS", *path, "Parameters written by gait fit (.json)")->required();
   command->callback([path] { fmt::print("{}", gait_table(io::read_gait_parameters(*path))); });
 }
 
@@ -214,7 +219,7 @@ void add_show(CLI::App* gait) {
 
 void add_gait_command(CLI::App& app, ExitCode&) {
   CLI::App* gait =
-      app.add_subcommand("gait", "Motion parameters of a gait, and drawings that walk by them");
+      app.add_subcommand("gait", "Fit the motion of a gait, and animate drawings that walk by it");
   gait->require_subcommand(1);
   add_fit(gait);
   add_synthesize(gait);

@@ -216,7 +216,7 @@ void run_identify(const IdentifyOptions& options, ExitCode& exit_code) {
 void add_identify_command(CLI::App& app, ExitCode& exit_code) {
   const auto options = std::make_shared<IdentifyOptions>();
   CLI::App* command =
-      app.add_subcommand("identify", "Tell which filter and quantity a list of numbers is");
+      app.add_subcommand("identify", "Find the filter and quantity that a list of numbers shows");
   command->add_option("FILE", options->file,
                       "File with numbers in nearly any form (a column, a literal of C, Python, "
                       "MATLAB, R, Julia\nor Fortran, a LaTeX or Markdown table), or - for standard "

@@ -188,48 +188,54 @@ void add_choice(CLI::App* command, const std::string& name, Target& target,
 void add_morph_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<MorphOptions>();
   CLI::App* command = app.add_subcommand(
-      "morph", "One drawing into another, layer by layer, as an animation or a sheet of frames");
+      "morph",
+      "Morph one drawing into another, layer by layer, as an animation or a sheet of frames");
   command->add_option("SOURCE", options->source, "The first drawing, .svg or .csv")->required();
   command->add_option("DESTINATION", options->destination, "The second drawing")->required();
   command
       ->add_option(
           "-o,--output", options->output,
-          "Written, by its ending: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder)")
+          "Output; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm "
+          ".png (folder)")
       ->required();
-  command->add_option("--frames", options->frames, "Number of frames; 60, of a sheet 12")
+  command->add_option("--frames", options->frames, "Number of frames; 60 by default, 12 on a sheet")
       ->check(frames_check());
-  command->add_option("--filter", options->filter, "A filter's name, or a JSON file with one's own")
+  command->add_option("--filter", options->filter, "Filter name, or path to a JSON filter file")
       ->capture_default_str();
-  command->add_option("--samples", options->morph.samples, "Points a contour, a power of two")
+  command->add_option("--samples", options->morph.samples, "Points per contour, a power of two")
       ->check(samples_check())
       ->capture_default_str();
   command
       ->add_option("--scale", options->scale,
-                   "Control points that are interpolated, a power of two from 4 on, or full")
+                   "Control points that are interpolated: a power of two, at least 4, or full")
       ->capture_default_str();
   add_choice(command, "--detail", options->detail, details,
-             "What is finer than the scale: drop, blend, stage; blend, to avoid crossings stage");
-  add_choice(command, "--ease", options->ease, eases,
-             "How time passes: linear (default), in, out, in-out");
+             "What happens to finer detail: drop, blend or stage; by default blend, or stage with "
+             "--crossings avoid");
+  add_choice(command, "--ease", options->ease, eases, "Easing: linear (default), in, out, in-out");
   options->motion.add_to(command);
   CLI::Option* duration = command->add_option("--duration", options->morph.duration, "Seconds");
   duration->check(duration_check())->capture_default_str();
-  CLI::Option* loop = command->add_flag("--loop", options->loop, "There and back, for ever");
-  command->add_option("--map", options->map, "Layers that become each other, a=b")
+  CLI::Option* loop =
+      command->add_flag("--loop", options->loop, "Play forward and backward, endlessly");
+  command
+      ->add_option("--map", options->map,
+                   "Match layer a of the source with layer b of the destination: a=b")
       ->allow_extra_args(false);
   command
       ->add_option("--start", options->starts,
-                   "First point of the destination's contours of a layer, layer=17")
+                   "First point of the destination's contours in a layer: layer=17")
       ->allow_extra_args(false);
-  command->add_flag("--rotation", options->rotation,
-                    "Take a rotation out before points are matched");
+  command->add_flag("--rotation", options->rotation, "Remove a rotation before points are matched");
   add_choice(command, "--crossings", options->crossings, crossings_modes,
              "report them by frame and layer, or avoid them by scales chosen from --scale on");
   command->add_flag("--sheet", options->sheet, "Write the frames as one picture")
       ->excludes(loop, duration);
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "Of fitted cubic curves, in units of the drawing; 0: polygons")
+      ->add_option(
+          "--tolerance", options->tolerance,
+          "Maximum distance of the fitted cubics from the contour, in drawing units; 0 writes "
+          "polygons")
       ->check(tolerance_check())
       ->capture_default_str();
   command->callback([options] { run_morph(*options); });

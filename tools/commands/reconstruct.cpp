@@ -76,12 +76,12 @@ void run_reconstruct(const ReconstructOptions& options) {
 void add_reconstruct_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<ReconstructOptions>();
   CLI::App* command = app.add_subcommand(
-      "reconstruct", "The drawing of a descriptor, whole or from its coarsest coefficients");
-  command->add_option("DESCRIPTOR", options->input, "What describe has written (.json)")
+      "reconstruct", "Draw a descriptor, in full or from its coarsest coefficients");
+  command->add_option("DESCRIPTOR", options->input, "Descriptor written by describe (.json)")
       ->required();
   command
       ->add_option("--scale", options->scale,
-                   "Number of coefficients taken of each contour, a power of two, or full")
+                   "Number of coefficients to use per contour: a power of two, or full")
       ->capture_default_str();
   command
       ->add_option("-o,--output", options->output,

@@ -106,15 +106,16 @@ void run_stiffness(const StiffnessOptions& options) {
 void add_stiffness_command(CLI::App& app, ExitCode&) {
   auto options = std::make_shared<StiffnessOptions>();
   CLI::App* command = app.add_subcommand(
-      "stiffness", "The stiffness matrix in the multiscale basis: measures, matrix, picture");
-  command->add_option("NAME", options->name, "A filter's name, or a JSON file with one's own")
+      "stiffness",
+      "Print properties of the multiscale stiffness matrix, or write the matrix or its picture");
+  command->add_option("NAME", options->name, "Filter name, or path to a JSON filter file")
       ->required();
   command->add_option("--samples", options->samples, "Number of samples, a power of two")
       ->check(samples_check())
       ->capture_default_str();
   command
       ->add_option("--levels", options->levels,
-                   "Levels of decomposition, 0 for the single-scale matrix; all if not given")
+                   "Levels of decomposition, 0 for the single-scale matrix; all by default")
       ->check(levels_check());
   command->add_option("--output", options->output,
                       "Write the matrix (.mtx, MatrixMarket) or its picture (.svg)");

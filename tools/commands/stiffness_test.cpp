@@ -56,7 +56,7 @@ TEST_F(StiffnessCommand, RefusesBadInput) {
   expect_refusal("stiffness db4 --samples -4", "-4");
   expect_refusal("stiffness db4 --samples 64 --levels 7", "7");
   expect_refusal("stiffness db4 --output k.png", "but must be a file ending in .mtx");
-  expect_refusal("stiffness haar", "needed is more than 1.0");
+  expect_refusal("stiffness haar", "but it must exceed 1.0");
   expect_refusal("stiffness nope", "unknown filter 'nope'; known: ");
   EXPECT_EQ(wavecurve("stiffness db4 --output missing/k.svg").exit_code, 3);
 }

@@ -157,7 +157,7 @@ void verify(const VerifyOptions& given, ExitCode& exit_code) {
 void add_verify_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand(
-      "verify", "Hold every table, figure and claim of the publication against own values");
+      "verify", "Compare every table, figure and claim of the publication with computed values");
   CLI::Option* list = command->add_flag("--list", options->list, "Name the claims and stop");
   command->add_option("--only", options->only, "Run only these claims")
       ->type_name("ID")
@@ -172,7 +172,7 @@ void add_verify_command(CLI::App& app, ExitCode& exit_code) {
       ->excludes(list);
   command
       ->add_option("--reference", options->reference,
-                   "File of the blessed verdicts; the program's own if not given")
+                   "File of the blessed verdicts; by default the program's own")
       ->type_name("FILE")
       ->excludes(list);
   command->callback([options, &exit_code] {

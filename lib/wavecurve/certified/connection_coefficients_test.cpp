@@ -219,7 +219,7 @@ TEST(ConnectionCoefficients, RefuseARoughFamilyWithBothExponents) {
     EXPECT_STREQ(
         error.what(),
         "filter db2 is not smooth enough for derivatives 1,1: its Sobolev exponent is 1.000, "
-        "needed is more than 1.0");
+        "but it must exceed 1.0");
   }
   EXPECT_THROW(enclosed("db4", 2, 2), std::domain_error);
   EXPECT_THROW(enclosed("db4", -1, 1), std::invalid_argument);

@@ -235,7 +235,7 @@ void require_smoothness(const FilterDefinition& definition, int p, int q) {
   const bool is_decided = certainly_less(found, Ball(needed)) || is_accurate(found);
   const DecimalEnclosure exponent = supported_decimal(found, shown);
   throw std::domain_error(fmt::format(
-      "filter {} is not {} for derivatives {},{}: its Sobolev exponent is {}, needed is more than "
+      "filter {} is not {} for derivatives {},{}: its Sobolev exponent is {}, but it must exceed "
       "{}",
       definition.name, is_decided ? "smooth enough" : "known to be smooth enough", p, q,
       is_decided

@@ -22,7 +22,7 @@ void require_valid(const FilterBank<double>& bank, int p, int q) {
   if (!(bank.sobolev_exponent > needed)) {
     throw std::domain_error(
         fmt::format("filter {} is not smooth enough for derivatives {},{}: its Sobolev exponent is "
-                    "{:.4g}, needed is more than {:.1f}",
+                    "{:.4g}, but it must exceed {:.1f}",
                     bank.name, p, q, bank.sobolev_exponent, needed));
   }
 }

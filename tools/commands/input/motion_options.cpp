@@ -19,8 +19,9 @@ constexpr double largest = 1e12;
 
 void MotionOptions::add_to(CLI::App* command) {
   command
-      ->add_option("--motion", motion_,
-                   "linear, or physical: the source as an elastic curve at rest as the destination")
+      ->add_option(
+          "--motion", motion_,
+          "linear, or physical: the source is an elastic curve whose rest shape is the destination")
       ->check(CLI::IsMember({"linear", "physical"}).description(""))
       ->capture_default_str();
   dynamics::Material& material = options_.material;
@@ -29,18 +30,22 @@ void MotionOptions::add_to(CLI::App* command) {
   force_ = {0, 0};
   const CLI::Validator of_material = number_from(0, largest);
   of_physical_ = {
-      command->add_option("--stiffness", material.stiffness, "Of physical motion, e_0")
-          ->check(of_material),
-      command->add_option("--bending", material.bending, "Stiffness against bending")
-          ->check(of_material),
-      command->add_option("--density", material.density, "Mass, rho")->check(of_material),
       command
-          ->add_option("--damping", damping_,
-                       "s1,s2 of mass and stiffness, then of neither: density 0 needs that")
+          ->add_option("--stiffness", material.stiffness,
+                       "Stiffness e_0 of the curve (physical motion)")
+          ->check(of_material),
+      command->add_option("--bending", material.bending, "Bending stiffness")->check(of_material),
+      command->add_option("--density", material.density, "Density rho")->check(of_material),
+      command
+          ->add_option(
+              "--damping", damping_,
+              "s1,s2[,s3]: damping by mass, by stiffness, and by neither, which density 0 needs")
           ->delimiter(',')
           ->expected(2, 3)
           ->check(of_material),
-      command->add_option("--force", force_, "Gravity gx,gy: the drawing is thrown, and arrives")
+      command
+          ->add_option("--force", force_,
+                       "Gravity gx,gy: the drawing flies on an arc to its destination")
           ->delimiter(',')
           ->expected(2)
           ->check(number_from(-largest, largest)),
@@ -48,7 +53,7 @@ void MotionOptions::add_to(CLI::App* command) {
                           "Length of the motion, in units in which the slowest mode of e_0 = rho "
                           "swings once; or settled"),
       command->add_option("--solver", options_.solver,
-                          "spectral, decoupled, coupled, ...; a wrong one lists them"),
+                          "Solver: spectral, decoupled, coupled, ...; an unknown name lists all"),
   };
   for (CLI::Option* option : of_physical_) option->capture_default_str();
 }

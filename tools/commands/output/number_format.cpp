@@ -79,7 +79,7 @@ void add_digits_option(CLI::App& command, int& digits) {
 }
 
 void add_format_option(CLI::App& command, std::string& format, std::vector<std::string> accepted) {
-  command.add_option("--format", format, "Form of the output")
+  command.add_option("--format", format, "Output format")
       ->check(CLI::IsMember(std::move(accepted)))
       ->capture_default_str();
 }

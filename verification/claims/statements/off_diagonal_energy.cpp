@@ -162,7 +162,7 @@ Outcome evaluate() {
        to_decimals("share off the diagonal, in the diagonal blocks of two levels", blocks, 1,
                    "%")}};
   outcome.summary = fmt::format(
-      "Of {} combinations of reading, family, size and levels, {} are below 15 % and {} are not. "
+      "Among {} combinations of reading, family, size and levels, {} are below 15 % and {} are not. "
       "Counting the squares in the diagonal blocks alone gives less; counting the whole matrix, "
       "magnitudes instead of squares, or a single scale mostly gives more.",
       shares.below + shares.above, shares.below, shares.above);

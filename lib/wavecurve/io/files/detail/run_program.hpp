@@ -11,8 +11,8 @@ struct ProgramRun {
   std::string out, err;
 };
 
-/// Runs a program, found through PATH, and waits for its end. It reads nothing, speaks no language
-/// but C, and stands in `directory` (where we stand if that is empty); `environment` adds to ours
+/// Runs a program, found through PATH, and waits for its end. Its stdin is /dev/null, LC_ALL is C,
+/// and the working directory is `directory` (ours if that is empty); `environment` adds to ours
 /// (NAME=VALUE). Throws std::system_error if it cannot be started.
 ProgramRun run_program(const std::vector<std::string>& command,
                        const std::filesystem::path& directory = {},
