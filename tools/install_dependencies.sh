@@ -50,6 +50,7 @@ libgtest-dev          header:gtest/gtest.h
 librapidcheck-dev     header:rapidcheck.h
 librlottie-dev        header:rlottie.h
 ffmpeg                program:ffmpeg
+codespell             program:codespell
 '
 # Node.js comes with npm inside from some sources, and without it from Debian: the signs decide.
 browser_packages='
