@@ -8,6 +8,8 @@ Each record is what a trial of this project has written, and holds the date and 
   allocations.json   tools/faults/try_allocations.py, every refused request for memory
   names.json         tools/hostile_texts_test.py --json, hostile names through every output
   fuzzing.json       the fuzzers' campaign
+  mutations.json     tools/mutate.sh, small faults in the numeric rooms and the tests that notice them
+  survivors.json     written by hand: why a mutant that no test notices is no fault, by "FILE: FROM -> TO"
 Exit codes: 0 written, 2 bad usage or a record that is none.
 """
 import json
@@ -96,6 +98,33 @@ as a test. *Found* are the defects that the campaign showed, all mended. {made(r
 """ + table(["reader", "executions", "features covered", "found"], rows + [total])
 
 
+def mutations(record, arguments):
+    kinds = ("mutants", "beside", "room", "others", "none")
+    rows = [[row["room"]] + [row[kind] for kind in kinds] for row in record["rows"]]
+    total = [sum(column) for column in zip(*(row[1:] for row in rows))]
+    share = 100 * (1 - total[-1] / total[0])
+    text = f"""
+## Faults in the numerics
+
+Small faults are planted in the numeric rooms, one at a time: another operator, another constant, another bound
+([`tools/mutate.sh`](../tools/mutate.sh)). {record['drawn']} were drawn, {total[0]} compile, and {share:.1f} % of these are noticed: by the tests *beside* the file, else by
+those of its *room*, else by those of *other* rooms. Who survives is listed below, with the reason if it is no fault. {made(record)}
+
+""" + table(["room", "mutants", "beside", "room's", "others", "survive"], rows + [["all"] + total])
+    if record["survivors"]:
+        lines = []
+        for mutant in record["survivors"]:
+            key = f"{mutant['file']}: {mutant['from']} -> {mutant['to']}"
+            place = mutant["file"].removeprefix("lib/wavecurve/")
+            lines.append([f"{place}:{mutant['line']}", code(mutant["from"]), code(mutant["to"]), arguments.get(key, "")])
+        text += "\n" + table(["place", "is", "was changed to", "why no test can notice"], lines)
+    return text
+
+
+def code(text):
+    return "`" + text.replace("|", "\\|") + "`"
+
+
 def others():
     return """
 ## Beside others
@@ -113,7 +142,8 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     text = HEAD
     for name, write in (("calls.json", calls), ("allocations.json", allocations), ("names.json", names),
-                        ("fuzzing.json", fuzzing)):
+                        ("fuzzing.json", fuzzing),
+                        ("mutations.json", lambda record: mutations(record, read(folder, "survivors.json") or {}))):
         try:
             record = read(folder, name)
             text += write(record) if record else ""

@@ -4,8 +4,8 @@ set -euo pipefail
 
 usage='usage: tools/mutate.sh [COUNT [SEED]]
 Draws COUNT mutants (600) with SEED (1) in a clone of the last commit, build/mutants/tree, builds them
-all at once, runs the tests with each, and writes build/mutants/mutations.json, which
-docs/reliability.md is made from once it is copied to docs/reliability/. About an hour. Needs
+all at once, runs the tests with each, and writes docs/reliability/mutations.json, which
+tools/generate_reliability.py makes a section of docs/reliability.md from. About an hour. Needs
 python3-clang. Exit codes: 0 at least 95 % are noticed, 1 fewer, 2 bad usage, 3 it cannot be done.'
 
 count=${1-600} seed=${2-1}
@@ -23,4 +23,5 @@ mkdir -p build/mutants
 [ -d build/mutants/tree ] || git clone -q . build/mutants/tree
 git -C build/mutants/tree fetch -q origin HEAD
 git -C build/mutants/tree checkout -q --force --detach FETCH_HEAD
-exec /usr/bin/python3 tools/mutation/try_mutants.py build/mutants/tree "$count" "$seed" build/mutants/mutations.json
+exec /usr/bin/python3 tools/mutation/try_mutants.py build/mutants/tree "$count" "$seed" \
+  docs/reliability/mutations.json
