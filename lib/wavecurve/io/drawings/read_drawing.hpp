@@ -16,7 +16,7 @@ struct DrawingFile {
 /// Reads a drawing.
 ///
 /// `.svg`: every shape that is painted becomes a layer, in painting order, with all transformations
-/// applied; so do the copies that <use> makes. Lines stay lines, quadratics quadratics; circles,
+/// applied; so do the copies that `<use>` makes. Lines stay lines, quadratics quadratics; circles,
 /// ellipses and arcs become cubic segments whose radius is at most 1e-10 of it too large. The view
 /// box is that of the file, or its width and height, or else that of the outlines. Ids are those of
 /// the file; of a shape without one, its element and number, such as path-3, and a number is added
