@@ -33,6 +33,13 @@ std::string svg(const std::string& body) {
 
 const std::string square = "<path d='M0 0H9V9H0Z'/>";
 
+/// What a sanitizer adds is shadow memory of terabytes, and ten times the work.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr const char* limits = "ulimit -t 300; ";
+#else
+constexpr const char* limits = "ulimit -v 4194304; ulimit -t 30; ";
+#endif
+
 class Bounds : public ProgramTest {
  protected:
   void put(const std::string& name, const std::string& text) const {
@@ -40,9 +47,8 @@ class Bounds : public ProgramTest {
   }
 
   ProgramRun bounded(const std::string& arguments) const {
-    return run("cd '" + folder_.string() +
-               "' && { ulimit -v 4194304; ulimit -t 30; '" WAVECURVE_PROGRAM "' " + arguments +
-               "; }");
+    return run("cd '" + folder_.string() + "' && { " + limits + "'" WAVECURVE_PROGRAM "' " +
+               arguments + "; }");
   }
 
   /// Expects an end with this code, and little said on the error stream.
