@@ -57,6 +57,7 @@ browser_packages='
 chromium              program:chromium
 nodejs                program:node program:nodejs
 npm                   program:npm
+librsvg2-bin          program:rsvg-convert
 '
 
 say() { printf '%s\n' "install_dependencies: $*"; }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -151,7 +152,12 @@ void check(const MorphOptions& options) {
   }
 }
 
-void run_morph(const MorphOptions& options) {
+bool has_crossings(const motion::ChosenMorph& chosen) {
+  return std::any_of(chosen.choices.begin(), chosen.choices.end(),
+                     [](const motion::ScaleChoice& choice) { return choice.crossings > 0; });
+}
+
+void run_morph(const MorphOptions& options, ExitCode& exit_code) {
   check(options);
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   const motion::MorphOptions how = morph_options(options);
@@ -162,6 +168,7 @@ void run_morph(const MorphOptions& options) {
   if (options.crossings == Crossings::avoid) {
     motion::ChosenMorph chosen = without_crossings(source, destination, how, taus);
     text = choices_table(chosen);
+    if (has_crossings(chosen)) exit_code = differs;
     morph = std::move(chosen.morph);
   } else {
     morph = motion::make_morph(source, destination, how);
@@ -185,7 +192,7 @@ void add_choice(CLI::App* command, const std::string& name, Target& target,
 
 }  // namespace
 
-void add_morph_command(CLI::App& app, ExitCode&) {
+void add_morph_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<MorphOptions>();
   CLI::App* command = app.add_subcommand(
       "morph",
@@ -238,7 +245,7 @@ void add_morph_command(CLI::App& app, ExitCode&) {
           "polygons")
       ->check(tolerance_check())
       ->capture_default_str();
-  command->callback([options] { run_morph(*options); });
+  command->callback([options, &exit_code] { run_morph(*options, exit_code); });
 }
 
 }  // namespace wavecurve::tools

@@ -60,6 +60,29 @@ TEST_F(MorphCommand, ReportsAndAvoidsCrossings) {
   EXPECT_NE(avoid.out.find("256          0  as asked"), std::string::npos) << avoid.out;
 }
 
+TEST_F(MorphCommand, SaysWhatCannotBeAvoided) {
+  // A figure of eight crosses itself in every frame; two bars pass over each other, and no hole.
+  io::write_file(folder_ / "eight.svg",
+                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">
+                    <path d="M1 1L9 9V1L1 9Z"/></svg>)");
+  const ProgramRun eight =
+      wavecurve("morph eight.svg eight.svg --crossings avoid --frames 5 --samples 64 -o out.json");
+  EXPECT_EQ(eight.exit_code, 1) << eight.err;
+  EXPECT_NE(eight.out.find("path-1     64          3  as asked"), std::string::npos) << eight.out;
+  EXPECT_NE(eight.out.find("no scale and start avoids all crossings"), std::string::npos);
+  EXPECT_TRUE(is_there("out.json"));
+  io::write_file(folder_ / "bars.svg",
+                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">
+                    <path d="M1 1H3V9H1zM7 1H9V9H7z"/></svg>)");
+  io::write_file(folder_ / "beams.svg",
+                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">
+                    <path d="M1 1H9V3H1zM1 7H9V9H1z"/></svg>)");
+  const ProgramRun bars =
+      wavecurve("morph bars.svg beams.svg --crossings avoid --frames 5 -o out.json");
+  EXPECT_EQ(bars.exit_code, 0) << bars.out;
+  EXPECT_NE(bars.out.find("1024          0"), std::string::npos) << bars.out;
+}
+
 TEST_F(MorphCommand, TakesAMapAndAStart) {
   const auto bytes = [&](const std::string& options) {
     const ProgramRun run = wavecurve("morph a.svg b.svg --samples 64 " + options + " -o out.json");

@@ -15,13 +15,19 @@ struct Colour {
 };
 
 enum class FillRule { nonzero, evenodd };
+enum class LineCap { butt, round, square };
+enum class LineJoin { miter, round, bevel };
 
-/// How an outline is painted. Opacities multiply a group's into the fill's and the stroke's own.
+/// How an outline is painted, as SVG has it. Opacities multiply a group's into the fill's and the
+/// stroke's own.
 struct Paint {
   std::optional<Colour> fill, stroke;
   double fill_opacity = 1, stroke_opacity = 1;
   double stroke_width = 1;  ///< in units of the drawing
   FillRule fill_rule = FillRule::nonzero;
+  LineCap line_cap = LineCap::butt;  ///< at the ends of open subpaths
+  LineJoin line_join = LineJoin::miter;
+  double miter_limit = 4;  ///< a miter longer than this, in widths of the stroke, is a bevel
   bool operator==(const Paint&) const = default;
 };
 

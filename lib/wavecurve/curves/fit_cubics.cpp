@@ -41,9 +41,12 @@ struct Hermite {
 /// The vertices of a fit: indices of points, increasing, and the unknowns that their tangents are.
 struct Knots {
   Index points = 0;
+  Closing closing = Closing::joined;
   std::vector<Index> at;
   std::vector<bool> corner;  ///< of every point
 
+  /// A segment has the number of the vertex that it starts from.
+  std::size_t segments() const { return at.size() - (closing == Closing::open ? 1 : 0); }
   std::size_t next(std::size_t i) const { return i + 1 == at.size() ? 0 : i + 1; }
   /// Points from a vertex to the next.
   Index span(std::size_t i) const {
@@ -83,19 +86,32 @@ struct Turn {
   double sine, cosine;  ///< times the lengths of the edges
 };
 
-std::vector<bool> corners(const Columns& points) {
+double extent_of(const Columns& points, Index key) {
+  const auto outline = points.middleCols<2>(2 * key);
+  return (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).maxCoeff();
+}
+
+std::vector<bool> corners(const Columns& points, Closing closing) {
   const Index n = points.rows();
   std::vector<bool> corner(static_cast<std::size_t>(n), false);
+  double extent = 0;
+  for (Index key = 0; key < points.cols() / 2; ++key) {
+    extent = std::max(extent, extent_of(points, key));
+  }
   const double corner_slope = tangent(corner_turn);
   std::vector<double> angles(static_cast<std::size_t>(n));
+  // The ends of a line are neither smooth nor corners: one tangent each.
+  const Index first = closing == Closing::open ? 1 : 0, end = n - first;
   for (Index key = 0; key < points.cols() / 2; ++key) {
+    // The directions about a point are those of roundings.
+    if (extent_of(points, key) <= 1e-9 * extent) continue;
     std::ranges::fill(angles, -1);  // not yet known; a bend asks for those of its neighbours
     const auto angle = [&](Index j) {
       double& known = angles[static_cast<std::size_t>(j)];
       if (known < 0) known = Turn(points, key, j).angle();
       return known;
     };
-    for (Index j = 0; j < n; ++j) {
+    for (Index j = first; j < end; ++j) {
       if (!Turn(points, key, j).may_be_corner(corner_slope)) continue;
       const double beside = (angle((j + n - 1) % n) + angle((j + 1) % n)) / 2;
       if (angle(j) - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
@@ -105,11 +121,14 @@ std::vector<bool> corners(const Columns& points) {
 }
 
 /// The corners and four points at equal distances, of which the refinement starts.
-Knots first_knots(const Columns& points) {
-  Knots knots{points.rows(), {}, corners(points)};
+Knots first_knots(const Columns& points, Closing closing) {
+  Knots knots{points.rows(), closing, {}, corners(points, closing)};
   for (Index j = 0; j < knots.points; ++j) {
     const bool quarter = j * 4 / knots.points != (j - 1) * 4 / knots.points || j == 0;
     if (quarter || knots.corner[static_cast<std::size_t>(j)]) knots.at.push_back(j);
+  }
+  if (closing == Closing::open && knots.at.back() + 1 != knots.points) {
+    knots.at.push_back(knots.points - 1);
   }
   return knots;
 }
@@ -131,7 +150,7 @@ struct TangentIndex {
 Columns tangents(const Columns& points, const Knots& knots, const TangentIndex& index) {
   std::vector<Eigen::Triplet<double>> entries;
   Columns right = Columns::Zero(index.count, points.cols());
-  for (std::size_t i = 0; i < knots.at.size(); ++i) {
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
     const int a = index.out[i], b = index.in[knots.next(i)];
     const Index span = knots.span(i);
     const double h = static_cast<double>(span);
@@ -161,8 +180,10 @@ Columns tangents(const Columns& points, const Knots& knots, const TangentIndex& 
 Columns control_points(const Columns& points, const Knots& knots) {
   const TangentIndex index(knots);
   const Columns tangent = tangents(points, knots, index);
-  Columns control(3 * static_cast<Index>(knots.at.size()), points.cols());
-  for (std::size_t i = 0; i < knots.at.size(); ++i) {
+  const auto segments = static_cast<Index>(knots.segments());
+  Columns control(3 * segments + (knots.closing == Closing::open ? 1 : 0), points.cols());
+  if (knots.closing == Closing::open) control.row(3 * segments) = points.row(knots.at.back());
+  for (std::size_t i = 0; i < knots.segments(); ++i) {
     const double third = static_cast<double>(knots.span(i)) / 3;
     const Index row = 3 * static_cast<Index>(i), end = knots.at[knots.next(i)];
     control.row(row) = points.row(knots.at[i]);
@@ -193,10 +214,10 @@ bool fits(const Columns& points, const Knots& knots, const Columns& control, std
 
 /// The knots with every segment halved that misses the tolerance; a segment of one step fits.
 Knots refined(const Columns& points, const Knots& knots, const Columns& control, double tolerance) {
-  Knots finer{knots.points, {}, knots.corner};
+  Knots finer{knots.points, knots.closing, {}, knots.corner};
   for (std::size_t i = 0; i < knots.at.size(); ++i) {
     finer.at.push_back(knots.at[i]);
-    if (fits(points, knots, control, i, tolerance)) continue;
+    if (i == knots.segments() || fits(points, knots, control, i, tolerance)) continue;
     finer.at.push_back((knots.at[i] + knots.span(i) / 2) % knots.points);
   }
   std::sort(finer.at.begin(), finer.at.end());
@@ -205,13 +226,17 @@ Knots refined(const Columns& points, const Knots& knots, const Columns& control,
 
 }  // namespace
 
-std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance) {
+std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance,
+                                Closing closing) {
   if (keys.empty() || keys.front().rows() == 0) {
     throw std::invalid_argument("fit of cubics: a contour without points");
   }
   check_at_least("the tolerance of a fit of cubics", tolerance, 0);
   const Columns points = columns_of(keys);
-  Knots knots = first_knots(points);
+  if (closing == Closing::open && points.rows() < 2) {
+    throw std::invalid_argument("fit of cubics: an open line of one point");
+  }
+  Knots knots = first_knots(points, closing);
   Columns control = control_points(points, knots);
   for (std::size_t before = 0; before != knots.at.size();) {
     before = knots.at.size();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "wavecurve/curves/contour.hpp"
+#include "wavecurve/curves/crossings.hpp"
 
 namespace wavecurve {
 
@@ -18,6 +19,10 @@ namespace wavecurve {
 ///
 /// Keys: the same contour at different times, equal numbers of points (std::invalid_argument).
 /// The tolerance is at least 0, in units of the points.
-std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance);
+///
+/// With Closing::open the points are a line from the first to the last, and so is the result: it has
+/// one row more, the last vertex. Keys that are a point but for rounding have no corners.
+std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance,
+                                Closing closing = Closing::joined);
 
 }  // namespace wavecurve

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 
 namespace wavecurve::motion {
 
@@ -38,6 +40,7 @@ Paint mix(const Paint& a, const Paint& b, double share) {
   paint.fill_opacity = std::lerp(a.fill_opacity, b.fill_opacity, share);
   paint.stroke_opacity = std::lerp(a.stroke_opacity, b.stroke_opacity, share);
   paint.stroke_width = std::lerp(a.stroke_width, b.stroke_width, share);
+  paint.miter_limit = std::lerp(a.miter_limit, b.miter_limit, share);
   return paint;
 }
 
@@ -59,10 +62,24 @@ Paint paint_at(const std::vector<PaintKey>& keys, double time) {
 
 }  // namespace
 
+FrameLayer layer_at(const AnimatedLayer& layer, double time) {
+  return {layer.id, outline_at(layer.outline, time), paint_at(layer.paint, time), layer.open};
+}
+
+std::vector<std::size_t> order_at(const Animation& animation, double time) {
+  const auto& keys = animation.order;
+  const auto after = std::upper_bound(keys.begin(), keys.end(), time,
+                                      [](double t, const OrderKey& key) { return t < key.time; });
+  if (after != keys.begin()) return std::prev(after)->order;
+  std::vector<std::size_t> order(animation.layers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  return order;
+}
+
 std::vector<FrameLayer> frame_at(const Animation& animation, double time) {
   std::vector<FrameLayer> frame;
-  for (const AnimatedLayer& layer : animation.layers) {
-    frame.push_back({layer.id, outline_at(layer.outline, time), paint_at(layer.paint, time)});
+  for (const std::size_t i : order_at(animation, time)) {
+    frame.push_back(layer_at(animation.layers[i], time));
   }
   return frame;
 }

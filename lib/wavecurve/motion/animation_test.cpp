@@ -33,6 +33,55 @@ TEST(ThereAndBack, IsItsOwnMirror) {
   }
 }
 
+/// Three layers of one point, a b c, then b a c, then c b a.
+Animation exchanged() {
+  Animation animation = triangle();
+  animation.layers.resize(3, animation.layers[0]);
+  for (std::size_t i = 0; i < 3; ++i) animation.layers[i].id = std::string(1, "abc"[i]);
+  animation.order = {{0.5, {1, 0, 2}}, {1.5, {2, 1, 0}}};
+  return animation;
+}
+
+std::string order_text(const Animation& animation, double time) {
+  std::string text;
+  for (const FrameLayer& layer : frame_at(animation, time)) text += layer.id;
+  return text;
+}
+
+TEST(FrameAt, IsInThePaintingOrderOfItsTime) {
+  const Animation animation = exchanged();
+  EXPECT_EQ(order_text(animation, 0.49), "abc");
+  EXPECT_EQ(order_text(animation, 0.5), "bac");
+  EXPECT_EQ(order_text(animation, 2), "cba");
+  const Animation both = there_and_back(animation);
+  check_animation(both);
+  for (const double time : {0.3, 1.0, 1.7}) {
+    EXPECT_EQ(order_text(both, time), order_text(animation, time));
+    EXPECT_EQ(order_text(both, 4 - time), order_text(animation, time));
+  }
+}
+
+TEST(FrameAt, SwitchesCapsAndMixesMiterLimits) {
+  Animation animation = triangle();
+  animation.layers[0].paint[0].paint.line_cap = LineCap::square;
+  animation.layers[0].paint[1].paint.miter_limit = 8;
+  const Paint paint = frame_at(animation, 1)[0].paint;
+  EXPECT_EQ(paint.line_cap, LineCap::square);
+  EXPECT_EQ(paint.miter_limit, 6);
+}
+
+TEST(CheckAnimation, WantsWholeOrders) {
+  for (const std::vector<std::size_t>& order :
+       std::vector<std::vector<std::size_t>>{{0, 1}, {0, 1, 1}, {0, 1, 3}}) {
+    Animation animation = exchanged();
+    animation.order[1].order = order;
+    EXPECT_THROW(check_animation(animation), std::invalid_argument);
+  }
+  Animation animation = exchanged();
+  animation.order[1].time = 0.5;
+  EXPECT_THROW(check_animation(animation), std::invalid_argument);
+}
+
 struct Defect {
   std::string message;
   std::function<void(Animation&)> cause;

@@ -46,15 +46,21 @@ Animation eased(const Animation& animation, Ease ease, int frames) {
   if (ease == Ease::linear) return animation;
   check_keys(animation, frames);
   Animation result{animation.view_box, animation.duration, {}};
-  for (const AnimatedLayer& layer : animation.layers) result.layers.push_back({layer.id, {}, {}});
+  for (const AnimatedLayer& layer : animation.layers) {
+    result.layers.push_back({layer.id, {}, {}, layer.open});
+  }
+  std::size_t order = 0;
   for (int i = 0; i < frames; ++i) {
-    const double share = static_cast<double>(i) / (frames - 1);
-    auto frame = frame_at(animation, animation.duration * eased(ease, share));
-    for (std::size_t k = 0; k < frame.size(); ++k) {
-      const double time = animation.duration * share;
-      result.layers[k].outline.push_back({time, std::move(frame[k].contours)});
-      result.layers[k].paint.push_back({time, frame[k].paint});
+    const double share = static_cast<double>(i) / (frames - 1), time = animation.duration * share;
+    const double even_time = animation.duration * eased(ease, share);
+    for (std::size_t k = 0; k < animation.layers.size(); ++k) {
+      FrameLayer layer = layer_at(animation.layers[k], even_time);
+      result.layers[k].outline.push_back({time, std::move(layer.contours)});
+      result.layers[k].paint.push_back({time, layer.paint});
     }
+    const std::size_t before = order;
+    while (order < animation.order.size() && animation.order[order].time <= even_time) ++order;
+    if (order > before) result.order.push_back({time, animation.order[order - 1].order});
   }
   return result;
 }

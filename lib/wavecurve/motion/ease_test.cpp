@@ -40,5 +40,15 @@ TEST(Eased, FramesAreThoseOfTheWarpedTime) {
   EXPECT_THROW(eased(moving_point(), Ease::in, 1), std::invalid_argument);
 }
 
+TEST(Eased, OrdersComeWhenTheirTimeHasCome) {
+  Animation animation = moving_point();
+  animation.layers.push_back(animation.layers[0]);
+  animation.order = {{animation.duration / 2, {1, 0}}};
+  const Animation late = eased(animation, Ease::in, 9);
+  ASSERT_EQ(late.order.size(), 1u);
+  // The square of 6/8 is the first above a half.
+  EXPECT_EQ(late.order[0].time, animation.duration * 6 / 8);
+}
+
 }  // namespace
 }  // namespace wavecurve::motion

@@ -25,6 +25,11 @@ Animation there_and_back(const Animation& animation) {
     append_reversed(layer.outline, animation.duration);
     append_reversed(layer.paint, animation.duration);
   }
+  for (std::size_t k = animation.order.size(); k-- > 0;) {
+    const OrderKey& key = animation.order[k];
+    result.order.push_back({2 * animation.duration - key.time,
+                            order_at(animation, k == 0 ? -1 : animation.order[k - 1].time)});
+  }
   return result;
 }
 

@@ -52,6 +52,10 @@ std::string choices_table(const motion::ChosenMorph& chosen) {
     text += fmt::format("{:<{}}  {:>5}  {:>9}  {}\n", printable(choice.layer), width, choice.scale,
                         choice.crossings, choice.alternative == 0 ? "as asked" : "rotation aside");
   }
+  const auto crosses = [](const motion::ScaleChoice& choice) { return choice.crossings > 0; };
+  if (std::any_of(chosen.choices.begin(), chosen.choices.end(), crosses)) {
+    text += "no scale and start avoids all crossings: where some are left, the scale is as asked\n";
+  }
   if (chosen.morph.detail == motion::Detail::stage) {
     text += fmt::format("details fade in the first and last {:.3g} of the time\n",
                         chosen.morph.stage_share);

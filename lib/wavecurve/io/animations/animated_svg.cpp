@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "wavecurve/io/animations/detail/control_points.hpp"
+#include "wavecurve/io/animations/detail/painting_slots.hpp"
 #include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 
@@ -17,14 +19,20 @@ namespace {
 /// The values of one attribute at the times of its keys, as shares of the duration.
 struct Track {
   std::string attribute;
-  std::vector<double> times;
-  std::vector<std::string> values;
+  std::vector<double> times = {};
+  std::vector<std::string> values = {};
 
   void add(double time, std::string value) {
     times.push_back(std::min(time, 1.0));
     values.push_back(std::move(value));
   }
 };
+
+/// Attributes whose values are words keep one until the next key.
+bool is_discrete(const std::string& attribute) {
+  return attribute == "visibility" || attribute == "fill-rule" || attribute == "stroke-linecap" ||
+         attribute == "stroke-linejoin";
+}
 
 std::string joined(const std::vector<std::string>& values) {
   std::string text;
@@ -49,16 +57,16 @@ std::string animate(Track track, double duration, bool loop) {
     times += share.text(time);
   }
   return fmt::format(
-      "<animate attributeName=\"{}\" dur=\"{:.6g}s\" {} keyTimes=\"{}\" values=\"{}\"/>\n",
-      track.attribute, duration, loop ? "repeatCount=\"indefinite\"" : "fill=\"freeze\"", times,
-      joined(track.values));
+      "<animate attributeName=\"{}\"{} dur=\"{:.6g}s\" {} keyTimes=\"{}\" values=\"{}\"/>\n",
+      track.attribute, is_discrete(track.attribute) ? " calcMode=\"discrete\"" : "", duration,
+      loop ? "repeatCount=\"indefinite\"" : "fill=\"freeze\"", times, joined(track.values));
 }
 
 Track outline_track(const motion::AnimatedLayer& layer, double duration, bool cubic,
                     const Decimals& decimals) {
-  Track track{"d", {}, {}};
+  Track track{"d"};
   for (const motion::OutlineKey& key : layer.outline) {
-    track.add(key.time / duration, path_data(key.contours, cubic, decimals));
+    track.add(key.time / duration, path_data(key.contours, cubic, decimals, layer.open));
   }
   return track;
 }
@@ -66,7 +74,7 @@ Track outline_track(const motion::AnimatedLayer& layer, double duration, bool cu
 std::vector<Track> paint_tracks(const motion::AnimatedLayer& layer, double duration) {
   std::vector<Track> tracks;
   for (const auto& [name, value] : svg_paint(layer.paint.front().paint)) {
-    tracks.push_back({name, {}, {}});
+    tracks.push_back({name});
   }
   for (const motion::PaintKey& key : layer.paint) {
     const auto attributes = svg_paint(key.paint);
@@ -77,19 +85,50 @@ std::vector<Track> paint_tracks(const motion::AnimatedLayer& layer, double durat
   return tracks;
 }
 
-std::string path(const motion::AnimatedLayer& layer, const AnimatedControlPoints& points,
-                 const Decimals& decimals, bool loop) {
+/// When a slot of several orders is shown.
+Track visibility_track(const PaintingSlot& slot, const motion::Animation& animation) {
+  Track track{"visibility"};
+  for (std::size_t k = 0; k < slot.is_shown.size(); ++k) {
+    const double time = k == 0 ? 0 : animation.order[k - 1].time;
+    track.add(time / animation.duration, slot.is_shown[k] ? "visible" : "hidden");
+  }
+  return track;
+}
+
+std::string path(const std::string& id, const PaintingSlot& slot,
+                 const AnimatedControlPoints& points, const Decimals& decimals, bool loop) {
+  const motion::AnimatedLayer& layer = points.animation.layers[slot.layer];
   const double duration = points.animation.duration;
   std::vector<Track> tracks = paint_tracks(layer, duration);
+  if (!slot.is_always_shown()) tracks.push_back(visibility_track(slot, points.animation));
   tracks.push_back(outline_track(layer, duration, points.cubic, decimals));
   std::string attributes, animations;
   for (const Track& track : tracks) {
     attributes += fmt::format(" {}=\"{}\"", track.attribute, track.values.front());
     animations += animate(track, duration, loop);
   }
-  return fmt::format("<path id=\"{}\"{}>\n{}</path>\n", xml_escaped(layer.id), attributes,
-                     animations);
+  return fmt::format("<path id=\"{}\"{}>\n{}</path>\n", xml_escaped(id), attributes, animations);
 }
+
+/// Gives the first slot of a layer the layer's id, and the others one of their own.
+class SlotIds {
+ public:
+  explicit SlotIds(const motion::Animation& animation) {
+    for (const motion::AnimatedLayer& layer : animation.layers) taken_.insert(layer.id);
+  }
+  std::string of(const PaintingSlot& slot, const motion::Animation& animation) {
+    std::string id = animation.layers[slot.layer].id;
+    if (layers_.insert(slot.layer).second) return id;
+    for (int number = 2;; ++number) {
+      const std::string other = fmt::format("{}-{}", id, number);
+      if (taken_.insert(other).second) return other;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::set<std::size_t> layers_;
+};
 
 }  // namespace
 
@@ -100,8 +139,9 @@ std::string animated_svg(const motion::Animation& animation, const OutputOptions
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", decimals.text(box.x),
       decimals.text(box.y), decimals.text(box.width), decimals.text(box.height));
-  for (const motion::AnimatedLayer& layer : points.animation.layers) {
-    svg += path(layer, points, decimals, options.loop);
+  SlotIds ids(animation);
+  for (const PaintingSlot& slot : painting_slots(animation)) {
+    svg += path(ids.of(slot, animation), slot, points, decimals, options.loop);
   }
   return svg + "</svg>\n";
 }

@@ -1,5 +1,6 @@
 #include "wavecurve/motion/detail/check_animation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -51,8 +52,23 @@ void check_outline(const std::string& layer, const std::vector<OutlineKey>& keys
   }
 }
 
+void check_order(const Animation& animation) {
+  double before = -1;
+  for (const OrderKey& key : animation.order) {
+    demand(key.time > before && key.time >= 0,
+           fmt::format("order key at {} s follows one at {} s", key.time, before));
+    before = key.time;
+    std::vector<std::size_t> order = key.order;
+    std::sort(order.begin(), order.end());
+    bool is_whole = order.size() == animation.layers.size();
+    for (std::size_t i = 0; is_whole && i < order.size(); ++i) is_whole = order[i] == i;
+    demand(is_whole, fmt::format("order key at {} s does not name each of {} layers once", key.time,
+                                 animation.layers.size()));
+  }
+}
+
 bool is_finite(const Paint& paint) {
-  double sum = paint.fill_opacity + paint.stroke_opacity + paint.stroke_width;
+  double sum = paint.fill_opacity + paint.stroke_opacity + paint.stroke_width + paint.miter_limit;
   if (paint.fill) sum += paint.fill->red + paint.fill->green + paint.fill->blue;
   if (paint.stroke) sum += paint.stroke->red + paint.stroke->green + paint.stroke->blue;
   return std::isfinite(sum);
@@ -85,6 +101,7 @@ void check_animation(const Animation& animation) {
     check_outline(name, layer.outline);
     check_paint(name, layer.paint);
   }
+  check_order(animation);
 }
 
 }  // namespace wavecurve::motion

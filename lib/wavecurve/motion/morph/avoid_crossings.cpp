@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "wavecurve/curves/crossings.hpp"
+#include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/motion/morph/contour_morph.hpp"
-#include "wavecurve/motion/morph/detail/pair_contours.hpp"
 
 namespace wavecurve::motion {
 
@@ -16,47 +16,68 @@ namespace {
 
 using Eigen::Index;
 
+double extent(const Contour& points) {
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+/// A contour of a layer in its frames.
+struct MovingContour {
+  MovingContour(const Morph& of, const ContourPair& both, Index scale)
+      : morph(of.bank, both.source.rows(), of.levels, scale),
+        pair(both),
+        points(both.source.rows(), 2) {
+    for (const double end : {0.0, 1.0}) {
+      morph.frame(pair, end, {1 - end, end}, points);
+      largest_extent = std::max(largest_extent, extent(points));
+      area += signed_area(points);
+    }
+  }
+
+  /// Where an outline is a point, its edges are roundings.
+  bool is_point() const { return extent(points) <= 1e-9 * largest_extent; }
+  bool is_hole() const { return area < 0; }
+
+  ContourMorph morph;
+  const ContourPair& pair;
+  Contour points;
+  double largest_extent = 0, area = 0;  ///< the area is the sum of both ends'
+};
+
 /// Frames of a layer, and their crossings.
 class LayerFrames {
  public:
   LayerFrames(const Morph& morph, const MorphLayer& layer, Index scale, double stage_share)
-      : layer_(layer), detail_(morph.detail), stage_share_(stage_share) {
-    for (const ContourPair& pair : layer.contours) {
-      contours_.emplace_back(morph.bank, pair.source.rows(), morph.levels, scale);
-      points_.emplace_back(pair.source.rows(), 2);
-      contours_.back().frame(pair, 0, {1, 0}, points_.back());
-      const bool starts_as_stroke = is_there_and_back(points_.back());
-      contours_.back().frame(pair, 1, {0, 1}, points_.back());
-      is_stroke_.push_back(starts_as_stroke && is_there_and_back(points_.back()));
-    }
+      : detail_(morph.detail), stage_share_(stage_share) {
+    for (const ContourPair& pair : layer.contours) contours_.emplace_back(morph, pair, scale);
   }
 
   Index crossings(double tau) {
     const DetailShares shares = detail_shares(detail_, stage_share_, tau);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      contours_[i].frame(layer_.contours[i], tau, shares, points_[i]);
+    for (MovingContour& contour : contours_) {
+      contour.morph.frame(contour.pair, tau, shares, contour.points);
     }
     Index count = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (is_stroke_[i]) {
-        count += count_crossings(points_[i].topRows(points_[i].rows() / 2 + 1), Closing::open);
+    for (std::size_t i = 0; i < contours_.size(); ++i) {
+      const MovingContour& a = contours_[i];
+      if (a.is_point()) continue;
+      if (a.pair.open) {
+        count += count_crossings(a.points.topRows(a.points.rows() / 2 + 1), Closing::open);
         continue;
       }
-      count += count_crossings(points_[i]);
+      count += count_crossings(a.points);
       for (std::size_t j = 0; j < i; ++j) {
-        if (!is_stroke_[j]) count += count_crossings(points_[i], points_[j]);
+        const MovingContour& b = contours_[j];
+        if (b.pair.open || b.is_point() || (!a.is_hole() && !b.is_hole())) continue;
+        count += count_crossings(a.points, b.points);
       }
     }
     return count;
   }
 
  private:
-  const MorphLayer& layer_;
   Detail detail_;
   double stage_share_;
-  std::vector<ContourMorph> contours_;
-  std::vector<Contour> points_;
-  std::vector<bool> is_stroke_;
+  std::vector<MovingContour> contours_;
 };
 
 /// The sum over all times, or any number from `enough` on once it has reached that.
@@ -77,14 +98,17 @@ std::vector<Index> scales(const Morph& morph, const MorphLayer& layer) {
   return found;
 }
 
+/// The finest scale without crossings; where none is, the layer's own with the fewest.
 ScaleChoice best_scale(const std::vector<Morph>& alternatives, std::size_t place,
                        double stage_share, const std::vector<double>& taus) {
+  const std::vector<Index> from_own_on = scales(alternatives[0], alternatives[0].layers[place]);
   ScaleChoice best{alternatives[0].layers[place].id, 0, 0, std::numeric_limits<Index>::max()};
-  for (const Index scale : scales(alternatives[0], alternatives[0].layers[place])) {
+  for (const Index scale : from_own_on) {
+    const bool is_own = scale == from_own_on.front();
     for (std::size_t a = 0; a < alternatives.size(); ++a) {
       LayerFrames frames(alternatives[a], alternatives[a].layers[place], scale, stage_share);
-      const Index count = total_crossings(frames, taus, best.crossings);
-      if (count < best.crossings) best = {best.layer, scale, a, count};
+      const Index count = total_crossings(frames, taus, is_own ? best.crossings : 1);
+      if (count == 0 || (is_own && count < best.crossings)) best = {best.layer, scale, a, count};
       if (count == 0) return best;
     }
   }

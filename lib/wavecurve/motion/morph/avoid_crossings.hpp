@@ -10,8 +10,10 @@
 
 namespace wavecurve::motion {
 
-/// The proper crossings of a layer's contours, each with itself and with the others, at each of the
-/// normalised times tau. A stroke that is run through there and back counts once, by itself.
+/// The proper crossings of a layer's contours at each of the normalised times tau: of each with
+/// itself, and of holes with holes and with outer contours. Outer contours that pass over each other
+/// do not count, for what they cover together has no seam. An open line counts once, by itself, and
+/// a contour that is a point but for rounding not at all.
 std::vector<Eigen::Index> crossings(const Morph& morph, const MorphLayer& layer,
                                     const std::vector<double>& taus);
 
@@ -30,8 +32,8 @@ struct ChosenMorph {
 };
 
 /// For each layer the finest scale, from its own on, that has no crossing at the times, of the
-/// first of the alternatives where one has none; failing that, the fewest crossings, so never more
-/// than the first alternative has as it is. The alternatives are morphs of the same layers in the
+/// first of the alternatives where one has none; failing that, its own scale with the alternative of
+/// the fewest crossings, so never more than the first one has as it is. The alternatives are morphs of the same layers in the
 /// same order with different correspondences.
 ///
 /// With Detail::stage, details fade in frames that move already; where crossings are left, the

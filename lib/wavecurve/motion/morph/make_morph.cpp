@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,9 @@
 #include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/motion/detail/blend_paint.hpp"
+#include "wavecurve/motion/morph/detail/exchange_times.hpp"
+#include "wavecurve/motion/morph/detail/orientation.hpp"
+#include "wavecurve/motion/morph/detail/painting_order.hpp"
 #include "wavecurve/motion/morph/detail/pair_contours.hpp"
 
 namespace wavecurve::motion {
@@ -28,12 +33,28 @@ int levels_to_four(Index samples) {
   return levels;
 }
 
+FrameLayer sampled(const Layer& layer, Index samples) {
+  // A miter shows where the corner is.
+  const bool has_corners = layer.paint.stroke && layer.paint.line_join != LineJoin::round;
+  FrameLayer result{layer.id, {}, layer.paint};
+  try {
+    result.contours = sample_layer(layer, samples, has_corners ? Corners::kept : Corners::ignored);
+  } catch (const std::invalid_argument&) {  // more corners than samples
+    result.contours = sample_layer(layer, samples);
+  }
+  const auto rule = layer.paint.fill ? std::optional(layer.paint.fill_rule) : std::nullopt;
+  Orientation orientation = oriented(std::move(result.contours), rule);
+  result.contours = std::move(orientation.contours);
+  result.paint.fill_rule = orientation.nonzero ? FillRule::nonzero : FillRule::evenodd;
+  for (const Subpath& subpath : layer.subpaths) {
+    result.open.push_back(!subpath.closed && !layer.paint.fill);
+  }
+  return result;
+}
+
 Layers sampled(const Drawing& drawing, Index samples) {
   Layers layers;
-  for (const Layer& layer : drawing.layers) {
-    const auto rule = layer.paint.fill ? std::optional(layer.paint.fill_rule) : std::nullopt;
-    layers.push_back({layer.id, oriented(sample_layer(layer, samples), rule), layer.paint});
-  }
+  for (const Layer& layer : drawing.layers) layers.push_back(sampled(layer, samples));
   return layers;
 }
 
@@ -109,27 +130,131 @@ void check_size(const Drawing& source, const Drawing& destination, Index samples
                   contours_of(source), contours_of(destination), samples, most_pairs));
 }
 
-/// A layer with its contours as points; each ground is that of a whole drawing.
-MorphLayer pair_layers(const FrameLayer* source, const FrameLayer* destination,
-                       const std::vector<Contour>& source_ground,
-                       const std::vector<Contour>& destination_ground,
-                       const MorphOptions& options) {
-  MorphLayer layer;
-  layer.id = source ? source->id : destination->id;
-  layer.scale = options.scale.value_or(options.samples);
-  if (source && destination) {
-    layer.contours = pair_contours(source->contours, destination->contours, options.rotation,
-                                   start_of(source->id, options));
-    layer.paint = blend_paint(source->paint, destination->paint, options.duration);
-  } else if (source) {
-    layer.contours = shrink_contours(source->contours, destination_ground);
-    layer.paint = blend_paint(source->paint, vanishing(source->paint), options.duration);
-  } else {
-    layer.contours = reversed(shrink_contours(destination->contours, source_ground));
-    layer.paint = blend_paint(vanishing(destination->paint), destination->paint, options.duration);
+bool is_outline_of_solid(const FrameLayer& layer, const FrameLayer& other) {
+  return layer.paint.stroke && !layer.paint.fill && other.paint.fill;
+}
+
+/// An outline as a solid of no area: with a hole as large as each closed contour. So it fills from
+/// its rim on, and is never half there.
+FrameLayer with_holes(FrameLayer layer) {
+  const std::size_t count = layer.contours.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_open(layer, i)) continue;
+    Contour hole = layer.contours[i];
+    hole.bottomRows(hole.rows() - 1) = hole.bottomRows(hole.rows() - 1).colwise().reverse().eval();
+    layer.contours.push_back(std::move(hole));
+    layer.open.push_back(false);
   }
   return layer;
 }
+
+Paint stroke_of(Paint paint) {
+  paint.fill.reset();
+  return paint;
+}
+
+Paint fill_of(Paint paint) {
+  paint.stroke.reset();
+  return paint;
+}
+
+/// Makes the layers of a morph; each ground is that of a whole drawing.
+struct LayerMaker {
+  const MorphOptions& options;
+  std::vector<Contour> source_ground, destination_ground;
+
+  MorphLayer layer(const std::string& id, std::vector<ContourPair> contours, const Paint& from,
+                   const Paint& to) const {
+    return {id, std::move(contours), blend_paint(from, to, options.duration),
+            options.scale.value_or(options.samples)};
+  }
+
+  MorphLayer vanishing_layer(const FrameLayer& source) const {
+    return layer(source.id, shrink_contours(source, destination_ground), source.paint,
+                 vanishing(source.paint));
+  }
+  MorphLayer appearing_layer(const FrameLayer& destination) const {
+    return layer(destination.id, reversed(shrink_contours(destination, source_ground)),
+                 vanishing(destination.paint), destination.paint);
+  }
+
+  std::vector<MorphLayer> layers(const LayerMatch& match, const Layers& from,
+                                 const Layers& to) const {
+    if (!match.destination) return {vanishing_layer(from[*match.source])};
+    if (!match.source) return {appearing_layer(to[*match.destination])};
+    return paired_layers(from[*match.source], to[*match.destination]);
+  }
+
+  std::vector<MorphLayer> paired_layers(const FrameLayer& source,
+                                        const FrameLayer& destination) const {
+    const bool opens = is_outline_of_solid(source, destination);
+    const bool closes = is_outline_of_solid(destination, source);
+    ContourPairs pairs = pair_contours(opens ? with_holes(source) : source,
+                                       closes ? with_holes(destination) : destination,
+                                       options.rotation, start_of(source.id, options));
+    const bool has_stroke = source.paint.stroke || destination.paint.stroke;
+    const bool all_last = pairs.vanishing.empty() && pairs.appearing.empty();
+    if (!has_stroke || (all_last && !opens && !closes)) {
+      return {layer(source.id, all(pairs), source.paint, destination.paint)};
+    }
+    std::vector<MorphLayer> layers = fill_layers(source, destination, pairs);
+    if (opens) take_holes_from_strokes(pairs.lasting, pairs.vanishing, pairs.appearing, +1);
+    if (closes) take_holes_from_strokes(pairs.lasting, pairs.appearing, pairs.vanishing, -1);
+    for (MorphLayer& stroke : stroke_layers(source, destination, std::move(pairs))) {
+      layers.push_back(std::move(stroke));
+    }
+    return layers;
+  }
+
+  /// The fill of all contours, without strokes.
+  std::vector<MorphLayer> fill_layers(const FrameLayer& source, const FrameLayer& destination,
+                                      const ContourPairs& pairs) const {
+    if (!source.paint.fill && !destination.paint.fill) return {};
+    MorphLayer fill = layer(source.id, all(pairs), source.paint, destination.paint);
+    for (PaintKey& key : fill.paint) key.paint = fill_of(key.paint);
+    std::erase_if(fill.contours, [](const ContourPair& pair) { return pair.open; });
+    if (fill.contours.empty()) return {};
+    return {fill};
+  }
+
+  /// The holes of with_holes are not stroked, since their outlines are. Those that become holes of
+  /// the solid are stroked as these are, where they are there.
+  static void take_holes_from_strokes(std::vector<ContourPair>& lasting,
+                                      std::vector<ContourPair>& of_outline,
+                                      std::vector<ContourPair>& of_solid, int direction) {
+    const auto is_hole = [&](const ContourPair& pair) {
+      return signed_area(direction > 0 ? pair.source : pair.destination) < 0;
+    };
+    std::erase_if(of_outline, is_hole);
+    std::copy_if(lasting.begin(), lasting.end(), std::back_inserter(of_solid), is_hole);
+    std::erase_if(lasting, is_hole);
+  }
+
+  /// Strokes that have no width where their contours are points.
+  std::vector<MorphLayer> stroke_layers(const FrameLayer& source, const FrameLayer& destination,
+                                        ContourPairs pairs) const {
+    const Paint from = stroke_of(source.paint), to = stroke_of(destination.paint);
+    std::vector<MorphLayer> layers;
+    if (!pairs.lasting.empty()) {
+      layers.push_back(layer(source.id, std::move(pairs.lasting), source.paint, destination.paint));
+      for (PaintKey& key : layers.back().paint) key.paint = stroke_of(key.paint);
+    }
+    if (from.stroke && !pairs.vanishing.empty()) {
+      layers.push_back(layer(source.id, std::move(pairs.vanishing), from, vanishing(from)));
+    }
+    if (to.stroke && !pairs.appearing.empty()) {
+      layers.push_back(layer(source.id, std::move(pairs.appearing), vanishing(to), to));
+    }
+    return layers;
+  }
+
+  static std::vector<ContourPair> all(const ContourPairs& pairs) {
+    std::vector<ContourPair> result = pairs.lasting;
+    result.insert(result.end(), pairs.appearing.begin(), pairs.appearing.end());
+    result.insert(result.end(), pairs.vanishing.begin(), pairs.vanishing.end());
+    return result;
+  }
+};
 
 void make_unique(std::string& id, std::set<std::string>& taken) {
   const std::string stem = id;
@@ -154,19 +279,27 @@ Morph make_morph(const Drawing& source, const Drawing& destination, const MorphO
               options.duration,
               {}};
   const double diagonal = std::hypot(source.view_box.width, source.view_box.height);
-  const std::vector<Contour> source_ground = ground(from), destination_ground = ground(to);
+  const LayerMaker maker{options, ground(from), ground(to)};
+  const std::vector<LayerMatch> matches = match_layers(from, to, diagonal, options.map);
   std::set<std::string> ids;
-  for (const LayerMatch& match : match_layers(from, to, diagonal, options.map)) {
-    MorphLayer layer = pair_layers(match.source ? &from[*match.source] : nullptr,
-                                   match.destination ? &to[*match.destination] : nullptr,
-                                   source_ground, destination_ground, options);
-    make_unique(layer.id, ids);
-    for (ContourPair& pair : layer.contours) {
-      pair.source = to_coefficients(options.bank, pair.source, morph.levels);
-      pair.destination = to_coefficients(options.bank, pair.destination, morph.levels);
+  std::vector<std::vector<std::size_t>> of_match;  // the layers made of it
+  for (const LayerMatch& match : matches) {
+    of_match.emplace_back();
+    for (MorphLayer& layer : maker.layers(match, from, to)) {
+      make_unique(layer.id, ids);
+      for (ContourPair& pair : layer.contours) {
+        pair.source = to_coefficients(options.bank, pair.source, morph.levels);
+        pair.destination = to_coefficients(options.bank, pair.destination, morph.levels);
+      }
+      of_match.back().push_back(morph.layers.size());
+      morph.layers.push_back(std::move(layer));
     }
-    morph.layers.push_back(std::move(layer));
   }
+  std::vector<std::size_t> end;
+  for (const std::size_t match : final_painting_order(matches, from, to)) {
+    end.insert(end.end(), of_match[match].begin(), of_match[match].end());
+  }
+  if (!std::is_sorted(end.begin(), end.end())) morph.order = exchange_times(animate(morph), end);
   return morph;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
+#include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
 
@@ -101,18 +102,90 @@ TEST(MakeMorph, PiecesGrowAndHolesShrink) {
   EXPECT_EQ(patch.paint[0].paint.fill_rule, FillRule::nonzero);
 }
 
-TEST(MakeMorph, AFillOnOneSideFades) {
-  Drawing a = first();
-  a.layers[2].paint.fill.reset();
-  a.layers[2].paint.stroke = Colour{0, 1, 0};
-  const Animation animation = animate(make_morph(a, second(), options()));
+Drawing of_layers(std::vector<Layer> layers) { return {{0, 0, 10, 10}, std::move(layers)}; }
+
+Layer outline(const std::string& id, std::vector<Subpath> subpaths, double width) {
+  Layer result{id, std::move(subpaths), {}};
+  result.paint.stroke = Colour{0, 1, 0};
+  result.paint.stroke_width = width;
+  return result;
+}
+
+TEST(MakeMorph, AnOutlineFillsFromItsRim) {
+  const Drawing from = of_layers({outline("a", {rectangle(2, 2, 6, 6)}, 1)});
+  const Drawing to = of_layers({layer("a", {rectangle(1, 1, 8, 8)}, {1, 0, 0})});
+  const Animation animation = animate(make_morph(from, to, options()));
   check_animation(animation);
-  const Paint start = animation.layers[2].paint.front().paint;
-  const Paint end = animation.layers[2].paint.back().paint;
-  EXPECT_EQ(start.fill_opacity, 0);
-  EXPECT_EQ(start.fill, end.fill);
-  EXPECT_EQ(start.stroke_opacity, 1);
-  EXPECT_EQ(end.stroke_opacity, 0);
+  ASSERT_EQ(animation.layers.size(), 2u);  // the fill and its rim
+  double area_before = -1;
+  for (const double time : {0.0, 0.5, 1.0, 1.5, 2.0}) {
+    const auto frame = frame_at(animation, time);
+    double area = 0;
+    for (const Contour& contour : frame[0].contours) area += signed_area(contour);
+    EXPECT_GT(area, area_before) << time;  // a ring that closes
+    area_before = area;
+    EXPECT_EQ(frame[0].paint.fill_opacity, 1);
+    EXPECT_EQ(frame[1].paint.stroke_opacity, 1);
+    EXPECT_NEAR(frame[1].paint.stroke_width, 1 - time / 2, 1e-12);
+    EXPECT_EQ(frame[0].paint.fill, frame[1].paint.stroke);
+  }
+  EXPECT_NEAR(area_before, 64, 1e-9);
+}
+
+TEST(MakeMorph, AStrokedContourThatAppearsHasNoWidthBefore) {
+  const Subpath large = rectangle(1, 1, 8, 8), small = rectangle(4, 4, 2, 2);
+  const Animation animation =
+      animate(make_morph(of_layers({outline("a", {large}, 1)}),
+                         of_layers({outline("a", {large, small}, 1)}), options()));
+  ASSERT_EQ(animation.layers.size(), 2u);
+  EXPECT_EQ(frame_at(animation, 0)[0].paint.stroke_width, 1);
+  EXPECT_EQ(frame_at(animation, 0)[1].paint.stroke_width, 0);
+  EXPECT_EQ(frame_at(animation, 2)[1].paint.stroke_width, 1);
+}
+
+TEST(MakeMorph, OpenLinesStayOpen) {
+  Subpath line = rectangle(1, 1, 8, 8);
+  line.segments.resize(1);
+  line.closed = false;
+  Layer stroke = outline("a", {line}, 1);
+  stroke.paint.line_cap = LineCap::square;
+  const Animation animation =
+      animate(make_morph(of_layers({stroke}), of_layers({stroke}), options()));
+  ASSERT_EQ(animation.layers.size(), 1u);
+  EXPECT_TRUE(is_open(animation.layers[0], 0));
+  const Contour points = frame_at(animation, 1)[0].contours[0];
+  ASSERT_EQ(points.rows(), 33);
+  EXPECT_LT((points.row(0) - Eigen::RowVector2d(1, 1)).norm(), rounding);
+  EXPECT_LT((points.row(32) - Eigen::RowVector2d(9, 1)).norm(), rounding);
+}
+
+TEST(MakeMorph, LayersComeIntoTheOrderOfTheEnd) {
+  const Layer x = layer("x", {rectangle(1, 1, 6, 6)}, {1, 0, 0}),
+              y = layer("y", {rectangle(3, 3, 6, 6)}, {0, 0, 1});
+  const Animation animation = animate(make_morph(of_layers({x, y}), of_layers({y, x}), options()));
+  check_animation(animation);
+  const auto uppermost = [&](double time) { return frame_at(animation, time).back().id; };
+  EXPECT_EQ(uppermost(0), "y");
+  EXPECT_EQ(uppermost(animation.duration), "x");
+  ASSERT_EQ(animation.order.size(), 1u);
+}
+
+// Contours that cross each other under the even-odd rule, and a redundant one under the other.
+TEST(MakeMorph, DoesNotMatchWhatNoRuleFillsAlike) {
+  Layer crossed = layer("a", {rectangle(1, 1, 6, 6), rectangle(3, 3, 6, 6)}, {1, 0, 0});
+  crossed.paint.fill_rule = FillRule::evenodd;
+  const Layer within = layer("a", {rectangle(1, 1, 8, 8), rectangle(3, 3, 3, 3)}, {1, 0, 0});
+  const Layer plain = layer("a", {rectangle(1, 1, 8, 8)}, {1, 0, 0});
+  const auto rules = [&](const Layer& to) {
+    std::vector<FillRule> found;
+    for (const auto& made :
+         animate(make_morph(of_layers({crossed}), of_layers({to}), options())).layers) {
+      found.push_back(made.paint.front().paint.fill_rule);
+    }
+    return found;
+  };
+  EXPECT_EQ(rules(within), (std::vector<FillRule>{FillRule::evenodd, FillRule::nonzero}));
+  EXPECT_EQ(rules(plain), std::vector<FillRule>{FillRule::evenodd});
 }
 
 TEST(MakeMorph, StartsWhereToldTo) {

@@ -11,6 +11,7 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/motion/detail/oklab.hpp"
 #include "wavecurve/motion/morph/detail/assignment.hpp"
+#include "wavecurve/motion/morph/detail/orientation.hpp"
 #include "wavecurve/motion/morph/detail/painting_order.hpp"
 
 namespace wavecurve::motion {
@@ -144,6 +145,13 @@ void match_by_cost(const Layers& source, const Layers& destination, double diago
   }
 }
 
+/// Whether one fill rule fills both layers as their own rules do.
+bool have_common_rule(const FrameLayer& a, const FrameLayer& b) {
+  if (!a.paint.fill || !b.paint.fill || a.paint.fill_rule == b.paint.fill_rule) return true;
+  const FrameLayer& nonzero = a.paint.fill_rule == FillRule::nonzero ? a : b;
+  return oriented(nonzero.contours, FillRule::nonzero).evenodd;
+}
+
 }  // namespace
 
 std::vector<LayerMatch> match_layers(const Layers& source, const Layers& destination,
@@ -153,7 +161,14 @@ std::vector<LayerMatch> match_layers(const Layers& source, const Layers& destina
   match_by_name(source, destination, matching);
   match_by_cost(source, destination, diagonal, matching);
   std::vector<LayerMatch> matches;
-  for (std::size_t s = 0; s < source.size(); ++s) matches.push_back({s, matching.of_source[s]});
+  for (std::size_t s = 0; s < source.size(); ++s) {
+    auto& partner = matching.of_source[s];
+    if (partner && !have_common_rule(source[s], destination[*partner])) {
+      matching.of_destination[*partner].reset();
+      partner.reset();
+    }
+    matches.push_back({s, partner});
+  }
   for (std::size_t d = 0; d < destination.size(); ++d) {
     if (!matching.of_destination[d]) matches.push_back({std::nullopt, d});
   }

@@ -25,6 +25,9 @@ using LayerMap = std::vector<std::pair<std::string, std::string>>;
 /// their areas, both relative to the diagonal of the view box, and the distance of their colours in
 /// OKLab (1 between black and white, and between a fill and none).
 ///
+/// Layers are not matched that no fill rule fills both as their own rules do: contours that cross
+/// each other under the even-odd rule, and the like under the other.
+///
 /// Ids that only number the layers say nothing: those of a drawing whose layers all have one stem,
 /// such as L00, L01, L02, and those of an SVG element's name and a number, such as path-3, which
 /// read_drawing gives to what has none.

@@ -29,7 +29,7 @@ std::vector<OutlineKey> outline_keys(const Morph& morph, const MorphLayer& layer
       Contour points(pair.source.rows(), 2);
       contour.frame(pair, times[k], detail_shares(morph.detail, morph.stage_share, times[k]),
                     points);
-      keys[k].contours.push_back(std::move(points));
+      keys[k].contours.emplace_back(outline_rows(pair, points));
     }
   }
   return keys;
@@ -37,12 +37,19 @@ std::vector<OutlineKey> outline_keys(const Morph& morph, const MorphLayer& layer
 
 }  // namespace
 
+std::vector<bool> open_contours(const MorphLayer& layer) {
+  std::vector<bool> open;
+  for (const ContourPair& pair : layer.contours) open.push_back(pair.open);
+  return open;
+}
+
 Animation animate(const Morph& morph) {
   const std::vector<double> times = knots(morph);
-  Animation animation{morph.view_box, morph.duration, {}};
+  Animation animation{morph.view_box, morph.duration, {}, morph.order};
   for (const MorphLayer& layer : morph.layers) {
     try {
-      animation.layers.push_back({layer.id, outline_keys(morph, layer, times), layer.paint});
+      animation.layers.push_back(
+          {layer.id, outline_keys(morph, layer, times), layer.paint, open_contours(layer)});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("layer '{}': {}", layer.id, error.what()));
     }

@@ -19,9 +19,11 @@ enum class Detail {
 };
 
 /// Corresponding contours as coefficients in global-to-local order, one a row, columns x and y.
-/// Row n of one corresponds to row n of the other. Publication, (2.10)-(2.12).
+/// Row n of one corresponds to row n of the other. Publication, (2.10)-(2.12). An open line is run
+/// through there and back; its outline in an animation is the way there alone.
 struct ContourPair {
   Contour source, destination;
+  bool open = false;
 };
 
 /// A layer of the morph, and its scale: the number of control points that are interpolated, a power
@@ -42,7 +44,16 @@ struct Morph {
   double stage_share = 0.25;  ///< of the duration, that the details take to fade out, and in
   double duration = 1;        ///< seconds
   std::vector<MorphLayer> layers;
+  std::vector<OrderKey> order = {};  ///< as in Animation
 };
+
+/// Which contours of a layer are open, as an animation has it.
+std::vector<bool> open_contours(const MorphLayer& layer);
+
+/// The part of a frame's points that is an outline: all, or of an open line the way there.
+inline auto outline_rows(const ContourPair& pair, Contour& points) {
+  return points.topRows(pair.open ? points.rows() / 2 + 1 : points.rows());
+}
 
 /// The morph as outlines. It is piecewise linear in time: two keys a layer, four with
 /// Detail::stage. Throws std::invalid_argument naming the layer whose scale is not of its

@@ -96,7 +96,7 @@ void append_contour(std::vector<OutlineKey>& keys, const Morph& morph, const Mor
     contour.frame(moving, 0,
                   detail_shares(morph.detail, morph.stage_share, keys[i].time / morph.duration),
                   points);
-    keys[i].contours.push_back(std::move(points));
+    keys[i].contours.emplace_back(outline_rows(pair, points));
   }
 }
 
@@ -213,7 +213,7 @@ double settling_time(const Morph& morph, const dynamics::Material& material) {
 Animation physical_animation(const Morph& morph, const PhysicalOptions& options) {
   check(morph, options);
   const double until = options.until ? *options.until : settling_time(morph, options.material);
-  Animation animation{morph.view_box, morph.duration, {}};
+  Animation animation{morph.view_box, morph.duration, {}, morph.order};
   for (const MorphLayer& layer : morph.layers) {
     std::vector<OutlineKey> keys(static_cast<std::size_t>(options.frames));
     const VectorXd times = VectorXd::LinSpaced(options.frames, 0, morph.duration);
@@ -222,7 +222,7 @@ Animation physical_animation(const Morph& morph, const PhysicalOptions& options)
       const dynamics::InitialValueProblem problem = released(morph, layer, pair, options.material);
       append_contour(keys, morph, layer, pair, solve(problem, options, until));
     }
-    animation.layers.push_back({layer.id, std::move(keys), layer.paint});
+    animation.layers.push_back({layer.id, std::move(keys), layer.paint, open_contours(layer)});
   }
   return animation;
 }

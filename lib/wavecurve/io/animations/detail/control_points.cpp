@@ -17,7 +17,7 @@ void fit(motion::AnimatedLayer& layer, double tolerance) {
   for (std::size_t i = 0; i < layer.outline.front().contours.size(); ++i) {
     std::vector<Contour> keys;
     for (const motion::OutlineKey& key : layer.outline) keys.push_back(key.contours[i]);
-    keys = fit_cubics(keys, tolerance);
+    keys = fit_cubics(keys, tolerance, is_open(layer, i) ? Closing::open : Closing::joined);
     for (std::size_t k = 0; k < keys.size(); ++k) layer.outline[k].contours[i] = keys[k];
   }
 }
@@ -40,19 +40,22 @@ AnimatedControlPoints control_points(const motion::Animation& animation, double 
   return result;
 }
 
-std::string path_data(const std::vector<Contour>& contours, bool cubic, const Decimals& decimals) {
+std::string path_data(const std::vector<Contour>& contours, bool cubic, const Decimals& decimals,
+                      const std::vector<bool>& open) {
   std::string text;
-  for (const Contour& contour : contours) {
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const Contour& contour = contours[i];
+    const bool is_closed = i >= open.size() || !open[i];
     text += 'M';
     append_point(text, contour, 0, decimals);
     const Eigen::Index rows = contour.rows();
     // A polygon is closed by z; a cubic ends where it started.
-    const Eigen::Index end = cubic ? rows + 1 : rows;
+    const Eigen::Index end = cubic && is_closed ? rows + 1 : rows;
     for (Eigen::Index row = 1; row < end; ++row) {
       text += row > 1 ? ' ' : cubic ? 'C' : 'L';
       append_point(text, contour, row % rows, decimals);
     }
-    text += 'z';
+    if (is_closed) text += 'z';
   }
   return text;
 }
@@ -65,7 +68,7 @@ std::string layers_svg(const std::vector<motion::FrameLayer>& layers, bool cubic
     for (const auto& [name, value] : svg_paint(layer.paint)) {
       svg += fmt::format(" {}=\"{}\"", name, value);
     }
-    svg += fmt::format(" d=\"{}\"/>\n", path_data(layer.contours, cubic, decimals));
+    svg += fmt::format(" d=\"{}\"/>\n", path_data(layer.contours, cubic, decimals, layer.open));
   }
   return svg;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <numbers>
 
 #include "wavecurve/elementary/arctangent.hpp"
@@ -63,43 +64,92 @@ Contour disc(double x, double y, double radius) {
 }
 
 /// A contour without steps of no length.
-Contour without_repetitions(const Contour& contour) {
+Contour without_repetitions(const Contour& contour, bool open) {
   Contour result(contour.rows(), 2);
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < contour.rows(); ++i) {
     if (count == 0 || contour.row(i) != result.row(count - 1)) result.row(count++) = contour.row(i);
   }
-  while (count > 1 && result.row(count - 1) == result.row(0)) --count;
+  while (!open && count > 1 && result.row(count - 1) == result.row(0)) --count;
   return result.topRows(count);
 }
 
-void append_stroke(std::vector<Contour>& pieces, const Contour& polygon, double radius) {
-  const Eigen::Index n = polygon.rows();
-  if (n == 1) pieces.push_back(disc(polygon(0, 0), polygon(0, 1), radius));
-  for (Eigen::Index i = 0; i < n && n > 1; ++i) {
-    const Eigen::RowVector2d before = polygon.row((i + n - 1) % n), here = polygon.row(i),
-                             after = polygon.row((i + 1) % n);
-    const Eigen::RowVector2d step = after - here, last_step = here - before;
-    const Eigen::RowVector2d offset =
-        radius / step.norm() * Eigen::RowVector2d(step.y(), -step.x());
-    // All pieces turn the same way, so that they add up under the nonzero rule.
-    Contour quad(4, 2);
-    quad << here + offset, after + offset, after - offset, here - offset;
-    pieces.push_back(quad);
-    const double cross = last_step.x() * step.y() - last_step.y() * step.x();
-    const double turn = arctangent(cross, last_step.dot(step));
-    const Eigen::RowVector2d last_offset =
-        radius / last_step.norm() * Eigen::RowVector2d(last_step.y(), -last_step.x());
-    Contour wedge(3, 2);  // between the rectangles, on the outer side of the turn
-    if (cross > 0) {
-      wedge << here, here + last_offset, here + offset;
-    } else {
-      wedge << here, here - offset, here - last_offset;
-    }
-    pieces.push_back(wedge);
-    // What a chord leaves of the round join, in pixels.
-    if (radius * turn * turn / 8 > 0.02) pieces.push_back(disc(here.x(), here.y(), radius));
+/// A step along a line, and what lies at its left hand, a radius off.
+struct Step {
+  Step(const Eigen::RowVector2d& from, const Eigen::RowVector2d& to, double radius)
+      : way(to - from), offset(radius / way.norm() * Eigen::RowVector2d(way.y(), -way.x())) {}
+  Eigen::RowVector2d way, offset;
+};
+
+/// All pieces turn the same way, so that they add up under the nonzero rule.
+Contour piece(std::initializer_list<Eigen::RowVector2d> points) {
+  Contour polygon(static_cast<Eigen::Index>(points.size()), 2);
+  Eigen::Index row = 0;
+  for (const Eigen::RowVector2d& point : points) polygon.row(row++) = point;
+  return polygon;
+}
+
+constexpr double least_seen = 0.02;  ///< of what is added to a stroke, in pixels
+
+/// What lies between the rectangles of two steps, on the outer side of the turn.
+void append_join(std::vector<Contour>& pieces, const Eigen::RowVector2d& here, const Step& before,
+                 const Step& after, const Pen& pen) {
+  const double cross = before.way.x() * after.way.y() - before.way.y() * after.way.x();
+  const double dot = before.way.dot(after.way);
+  const Eigen::RowVector2d from = cross > 0 ? before.offset : -after.offset;
+  const Eigen::RowVector2d to = cross > 0 ? after.offset : -before.offset;
+  // The square of the length of the miter in widths of the stroke, with the half angle's formula.
+  const double ratio = 2 / (1 + dot / (before.way.norm() * after.way.norm()));
+  if (pen.join == LineJoin::miter && ratio <= pen.miter_limit * pen.miter_limit &&
+      pen.radius * (std::sqrt(ratio) - 1) > least_seen) {
+    return pieces.push_back(piece({here, here + from, here + ratio / 2 * (from + to), here + to}));
   }
+  pieces.push_back(piece({here, here + from, here + to}));
+  if (pen.join != LineJoin::round) return;
+  // What a chord leaves of the round join.
+  const double turn = arctangent(cross, dot);
+  if (pen.radius * turn * turn / 8 > least_seen) {
+    pieces.push_back(disc(here.x(), here.y(), pen.radius));
+  }
+}
+
+/// The end of an open line, which goes on along a step from here.
+void append_cap(std::vector<Contour>& pieces, const Eigen::RowVector2d& here, const Step& step,
+                const Pen& pen) {
+  if (pen.cap == LineCap::round) pieces.push_back(disc(here.x(), here.y(), pen.radius));
+  if (pen.cap != LineCap::square) return;
+  const Eigen::RowVector2d back = -pen.radius / step.way.norm() * step.way;
+  pieces.push_back(piece({here + step.offset, here - step.offset, here - step.offset + back,
+                          here + step.offset + back}));
+}
+
+/// A line of no length: its caps alone, the square one along the axes.
+void append_dot(std::vector<Contour>& pieces, const Eigen::RowVector2d& here, const Pen& pen) {
+  if (pen.cap == LineCap::butt) return;
+  const double r = pen.radius;
+  if (pen.cap == LineCap::round) return pieces.push_back(disc(here.x(), here.y(), r));
+  pieces.push_back(piece({here + Eigen::RowVector2d(-r, -r), here + Eigen::RowVector2d(r, -r),
+                          here + Eigen::RowVector2d(r, r), here + Eigen::RowVector2d(-r, r)}));
+}
+
+void append_stroke(std::vector<Contour>& pieces, const Contour& line, bool open, const Pen& pen) {
+  const Eigen::Index n = line.rows(), edges = open ? n - 1 : n;
+  if (n == 1) return append_dot(pieces, line.row(0), pen);
+  const auto step = [&](Eigen::Index i) {
+    return Step(line.row(i), line.row((i + 1) % n), pen.radius);
+  };
+  Step before = step(open ? 0 : n - 1);
+  for (Eigen::Index i = 0; i < edges; ++i) {
+    const Eigen::RowVector2d here = line.row(i), next = line.row((i + 1) % n);
+    const Step now = step(i);
+    pieces.push_back(
+        piece({here + now.offset, next + now.offset, next - now.offset, here - now.offset}));
+    if (!open || i > 0) append_join(pieces, here, before, now, pen);
+    before = now;
+  }
+  if (!open) return;
+  append_cap(pieces, line.row(0), step(0), pen);
+  append_cap(pieces, line.row(n - 1), Step(line.row(n - 1), line.row(n - 2), pen.radius), pen);
 }
 
 }  // namespace
@@ -156,10 +206,13 @@ void Coverage::fill(const std::vector<Contour>& polygons, FillRule rule) {
   }
 }
 
-std::vector<Contour> stroke_polygons(const std::vector<Contour>& polygons, double radius) {
+std::vector<Contour> stroke_polygons(const std::vector<Contour>& lines,
+                                     const std::vector<bool>& open, const Pen& pen) {
   std::vector<Contour> pieces;
-  for (const Contour& polygon : polygons)
-    append_stroke(pieces, without_repetitions(polygon), radius);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool is_open = i < open.size() && open[i];
+    append_stroke(pieces, without_repetitions(lines[i], is_open), is_open, pen);
+  }
   return pieces;
 }
 

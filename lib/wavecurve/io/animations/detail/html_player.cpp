@@ -11,6 +11,7 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/detail/player_page.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 #include "wavecurve/motion/detail/check_animation.hpp"
@@ -46,7 +47,11 @@ Json paint_json(const std::vector<motion::PaintKey>& keys) {
                     {"fill_opacity", paint.fill_opacity},
                     {"stroke", colour_json(paint.stroke)},
                     {"stroke_opacity", paint.stroke_opacity},
-                    {"stroke_width", paint.stroke_width}});
+                    {"stroke_width", paint.stroke_width},
+                    {"line_cap", name_of(paint.line_cap)},
+                    {"line_join", name_of(paint.line_join)},
+                    {"miter_limit", paint.miter_limit},
+                    {"fill_rule", paint.fill_rule == FillRule::evenodd ? "evenodd" : "nonzero"}});
   }
   return json;
 }
@@ -54,10 +59,15 @@ Json paint_json(const std::vector<motion::PaintKey>& keys) {
 /// What a layer of a morph and one of an animation have in common.
 template <class Layer>
 Json layer_json(const Layer& layer) {
-  const bool evenodd = layer.paint.front().paint.fill_rule == FillRule::evenodd;
-  return {{"id", layer.id},
-          {"fill_rule", evenodd ? "evenodd" : "nonzero"},
-          {"paint", paint_json(layer.paint)}};
+  return {{"id", layer.id}, {"paint", paint_json(layer.paint)}};
+}
+
+Json order_json(const std::vector<motion::OrderKey>& keys) {
+  Json json = Json::array();
+  for (const motion::OrderKey& key : keys) {
+    json.push_back({{"time", key.time}, {"order", key.order}});
+  }
+  return json;
 }
 
 Json outline_json(const std::vector<motion::OutlineKey>& keys, const Decimals& decimals) {
@@ -128,9 +138,11 @@ std::string html_player(const motion::Animation& animation, const OutputOptions&
   Json data = page_json(animation.view_box, animation.duration, options);
   data["repeat"] = options.loop ? "loop" : "once";
   data["cubic"] = points.cubic;
+  data["order"] = order_json(animation.order);
   for (const motion::AnimatedLayer& layer : points.animation.layers) {
     Json json = layer_json(layer);
     json["outline"] = outline_json(layer.outline, decimals);
+    json["open"] = layer.open;
     data["layers"].push_back(json);
   }
   return page(data, options);
@@ -143,6 +155,7 @@ std::string html_player(const motion::Morph& morph, const OutputOptions& options
   Json data = page_json(morph.view_box, morph.duration, options);
   data["repeat"] = options.loop ? "bounce" : "once";
   data["cubic"] = false;
+  data["order"] = order_json(morph.order);
   data["bank"] = {{"low", filter_json(morph.bank.synthesis_low)},
                   {"high", filter_json(morph.bank.synthesis_high)}};
   data["levels"] = morph.levels;
@@ -151,6 +164,7 @@ std::string html_player(const motion::Morph& morph, const OutputOptions& options
   for (const motion::MorphLayer& layer : morph.layers) {
     Json json = layer_json(layer);
     json["scale"] = layer.scale;
+    json["open"] = motion::open_contours(layer);
     json["contours"] = Json::array();
     for (const motion::ContourPair& pair : layer.contours) {
       json["contours"].push_back({{"source", points_json(pair.source, decimals)},

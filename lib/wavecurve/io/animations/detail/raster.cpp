@@ -83,8 +83,10 @@ Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,
     const Paint& paint = layer.paint;
     if (paint.fill) canvas.paint(polygons, paint.fill_rule, *paint.fill, paint.fill_opacity);
     if (paint.stroke && paint.stroke_width > 0) {
-      canvas.paint(stroke_polygons(polygons, placement.scale * paint.stroke_width / 2),
-                   FillRule::nonzero, *paint.stroke, paint.stroke_opacity);
+      const Pen pen{placement.scale * paint.stroke_width / 2, paint.line_cap, paint.line_join,
+                    paint.miter_limit};
+      canvas.paint(stroke_polygons(polygons, layer.open, pen), FillRule::nonzero, *paint.stroke,
+                   paint.stroke_opacity);
     }
   }
   Raster raster{size.width, size.height, {}};

@@ -20,7 +20,7 @@ struct RasterSize {
 };
 RasterSize raster_size(const ViewBox& box, int pixels);
 
-/// Draws the layers one over the other, the first lowest: fills, then strokes with round joins,
+/// Draws the layers one over the other, the first lowest: fills, then strokes,
 /// mixed in sRGB as browsers do, antialiased by the share of a pixel's area that is covered (exact
 /// along each of 16 scan lines a pixel). The view box is centred in the image, its aspect kept.
 Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,

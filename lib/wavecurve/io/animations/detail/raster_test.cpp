@@ -22,6 +22,8 @@ double area(const std::vector<Contour>& polygons, FillRule rule, int size = 100)
   return sum;
 }
 
+Pen round_pen(double radius) { return {radius, LineCap::round, LineJoin::round, 4}; }
+
 Contour rectangle(double left, double top, double right, double bottom) {
   return (Contour(4, 2) << left, top, right, top, right, bottom, left, bottom).finished();
 }
@@ -53,14 +55,42 @@ TEST(Coverage, IsCutAtTheBorders) {
 TEST(Stroke, CoversWhatIsWithinItsRadius) {
   // A square of side 40 and a stroke of 10: corners outside are quarters of a disc.
   const double expected = 40 * 10 * 4 - 4 * 25 + std::numbers::pi * 25;
-  EXPECT_NEAR(area(stroke_polygons({rectangle(30, 30, 70, 70)}, 5), FillRule::nonzero), expected,
-              2);
+  EXPECT_NEAR(
+      area(stroke_polygons({rectangle(30, 30, 70, 70)}, {}, round_pen(5)), FillRule::nonzero),
+      expected, 2);
   // Points so dense that no turn shows must leave no gaps either.
   const Contour circle = flower(50, 50, 30, 2000);
-  EXPECT_NEAR(area(stroke_polygons({circle}, 5), FillRule::nonzero),
+  EXPECT_NEAR(area(stroke_polygons({circle}, {}, round_pen(5)), FillRule::nonzero),
               std::numbers::pi * (35 * 35 - 25 * 25), 3);
   const Contour point = Contour::Constant(8, 2, 50);
-  EXPECT_NEAR(area(stroke_polygons({point}, 10), FillRule::nonzero), 100 * std::numbers::pi, 3);
+  EXPECT_NEAR(area(stroke_polygons({point}, {}, round_pen(10)), FillRule::nonzero),
+              100 * std::numbers::pi, 3);
+}
+
+TEST(Stroke, JoinsAndCapsAreThoseOfThePen) {
+  const auto stroked = [&](const Contour& line, bool open, const Pen& pen) {
+    return area(stroke_polygons({line}, {open}, pen), FillRule::nonzero);
+  };
+  // The square of side 40 again: a miter is a corner's square, a bevel half of it.
+  const Contour square = rectangle(30, 30, 70, 70);
+  const double flat = 40 * 10 * 4 - 4 * 25;
+  EXPECT_NEAR(stroked(square, false, {5, LineCap::butt, LineJoin::miter, 4}), flat + 100, 0.1);
+  EXPECT_NEAR(stroked(square, false, {5, LineCap::butt, LineJoin::bevel, 4}), flat + 50, 1);
+  // The miter of a right angle is sqrt 2 widths long.
+  EXPECT_NEAR(stroked(square, false, {5, LineCap::butt, LineJoin::miter, 1.42}), flat + 100, 0.1);
+  EXPECT_NEAR(stroked(square, false, {5, LineCap::butt, LineJoin::miter, 1.41}), flat + 50, 1);
+  // The same square opened: three sides, whose ends begin with their caps.
+  EXPECT_NEAR(stroked(square, true, {5, LineCap::butt, LineJoin::miter, 4}), 1200, 0.1);
+  EXPECT_NEAR(stroked(square, true, {5, LineCap::square, LineJoin::miter, 4}), 1300, 0.1);
+  EXPECT_NEAR(stroked(square, true, {5, LineCap::round, LineJoin::miter, 4}),
+              1200 + 25 * std::numbers::pi, 2);
+  // A line without length has its caps alone.
+  const Contour point = Contour::Constant(8, 2, 50);
+  EXPECT_EQ(stroked(point, true, {5, LineCap::butt, LineJoin::round, 4}), 0);
+  EXPECT_NEAR(stroked(point, false, {5, LineCap::square, LineJoin::round, 4}), 100, 0.1);
+  // There and back, a line turns with a miter beyond every limit: as its flat end.
+  const Contour there_and_back = (Contour(2, 2) << 20, 50, 80, 50).finished();
+  EXPECT_NEAR(stroked(there_and_back, false, {5, LineCap::butt, LineJoin::miter, 4}), 600, 0.1);
 }
 
 TEST(Render, MixesLayersInOrder) {

@@ -17,6 +17,14 @@ std::string hex_colour(const Colour& colour) {
                      channel(colour.blue));
 }
 
+std::string name_of(LineCap cap) {
+  return cap == LineCap::butt ? "butt" : cap == LineCap::round ? "round" : "square";
+}
+
+std::string name_of(LineJoin join) {
+  return join == LineJoin::miter ? "miter" : join == LineJoin::round ? "round" : "bevel";
+}
+
 std::vector<std::pair<std::string, std::string>> svg_paint(const Paint& paint) {
   const Decimals opacity(3);
   std::vector<std::pair<std::string, std::string>> result;
@@ -29,8 +37,9 @@ std::vector<std::pair<std::string, std::string>> svg_paint(const Paint& paint) {
     result.emplace_back("stroke", hex_colour(*paint.stroke));
     result.emplace_back("stroke-opacity", opacity.text(paint.stroke_opacity));
     result.emplace_back("stroke-width", fmt::format("{:.6g}", paint.stroke_width));
-    result.emplace_back("stroke-linejoin", "round");
-    result.emplace_back("stroke-linecap", "round");
+    result.emplace_back("stroke-linecap", name_of(paint.line_cap));
+    result.emplace_back("stroke-linejoin", name_of(paint.line_join));
+    result.emplace_back("stroke-miterlimit", fmt::format("{:.6g}", paint.miter_limit));
   }
   return result;
 }

@@ -68,15 +68,6 @@ int winding_number(In contour, const Vector2d& point) {
   return winding;
 }
 
-bool is_hole(const std::vector<Contour>& outline, std::size_t i, FillRule rule) {
-  int outside = 0;
-  for (std::size_t j = 0; j < outline.size(); ++j) {
-    if (j != i) outside += winding_number(outline[j], outline[i].row(0));
-  }
-  const int inside = outside + (signed_area(outline[i]) >= 0 ? 1 : -1);
-  return !is_filled(inside, rule);  // so the outer side, one turn off, is
-}
-
 Vector2d interior_point(In contour) {
   const Vector2d mean = contour.colwise().mean();
   if (winding_number(contour, mean) != 0) return mean;

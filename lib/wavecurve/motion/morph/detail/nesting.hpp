@@ -17,10 +17,6 @@ int winding_number(const Eigen::Ref<const Contour>& contour, const Eigen::Vector
 /// Whether a fill rule fills what a drawing winds round so often.
 bool is_filled(int winding, FillRule rule);
 
-/// Whether contour i of an outline bounds a hole: what lies on its inner side is not filled, what
-/// lies on its outer side is. Contours of an outline do not cross each other.
-bool is_hole(const std::vector<Contour>& outline, std::size_t i, FillRule rule);
-
 /// A point surely inside: the mean of the vertices if it lies inside, else the middle of the widest
 /// inner stretch on a few horizontal lines; for a contour that encloses nothing, its vertex nearest
 /// to the mean.

@@ -25,17 +25,6 @@ TEST(WindingNumber, CountsTurnsClockwise) {
   EXPECT_EQ(winding_number(twice, {0, 0}), 2);
 }
 
-TEST(IsHole, FollowsTheFillRule) {
-  const std::vector<Contour> same{square(3), square(2), square(1)};
-  EXPECT_FALSE(is_hole(same, 0, FillRule::evenodd));
-  EXPECT_TRUE(is_hole(same, 1, FillRule::evenodd));
-  EXPECT_FALSE(is_hole(same, 2, FillRule::evenodd));
-  EXPECT_FALSE(is_hole(same, 1, FillRule::nonzero));
-  const std::vector<Contour> opposite{square(3), square(2, false), square(1)};
-  EXPECT_TRUE(is_hole(opposite, 1, FillRule::nonzero));
-  EXPECT_FALSE(is_hole(opposite, 2, FillRule::nonzero));
-}
-
 TEST(InteriorPoint, LiesInsideACrescent) {
   Contour crescent(64, 2);
   for (int i = 0; i < 32; ++i) {

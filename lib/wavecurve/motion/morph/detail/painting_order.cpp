@@ -28,12 +28,17 @@ std::vector<Box> boxes_of(const std::vector<FrameLayer>& layers) {
   return boxes;
 }
 
-bool is_below(LayerIndex a, LayerIndex b, const std::vector<Box>& boxes) {
-  return a && b && *a < *b && boxes[*a].intersects(boxes[*b]);
+/// Whether it makes no difference which of two layers is painted first.
+bool look_alike(const Paint& a, const Paint& b) {
+  return !a.stroke && !b.stroke && a.fill && a.fill == b.fill && a.fill_opacity == 1 &&
+         b.fill_opacity == 1;
 }
 
-/// Whether outlines really overlap: they cross, or one holds a point of the other.
+/// Whether layers really overlap: outlines cross, or one holds a point of the other. Strokes reach
+/// beyond their outlines, so their boxes decide.
 bool overlap(const FrameLayer& a, const FrameLayer& b) {
+  if (look_alike(a.paint, b.paint)) return false;
+  if (a.paint.stroke || b.paint.stroke) return true;
   for (const Contour& p : a.contours) {
     for (const Contour& q : b.contours) {
       if (winding_number(p, q.row(0)) != 0 || winding_number(q, p.row(0)) != 0 ||
@@ -45,49 +50,101 @@ bool overlap(const FrameLayer& a, const FrameLayer& b) {
   return false;
 }
 
+using Demands = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Which match, the row, is to be painted before which other at one of the ends.
+Demands demands(const std::vector<LayerIndex>& layers, const std::vector<Box>& boxes) {
+  const auto count = static_cast<Eigen::Index>(layers.size());
+  Demands result(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const LayerIndex a = layers[static_cast<std::size_t>(i)],
+                       b = layers[static_cast<std::size_t>(j)];
+      result(i, j) = a && b && *a < *b && boxes[*a].intersects(boxes[*b]);
+    }
+  }
+  return result;
+}
+
+/// What both ends demand, where they contradict each other only if layers really overlap there.
+struct BothEnds {
+  BothEnds(const std::vector<LayerMatch>& matches, const std::vector<FrameLayer>& source,
+           const std::vector<FrameLayer>& destination) {
+    std::vector<LayerIndex> from, to;
+    for (const LayerMatch& match : matches) {
+      from.push_back(match.source);
+      to.push_back(match.destination);
+    }
+    at_start = demands(from, boxes_of(source));
+    at_end = demands(to, boxes_of(destination));
+    const auto count = static_cast<Eigen::Index>(matches.size());
+    contradictions = Demands::Constant(count, count, false);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      for (Eigen::Index j = 0; j < count; ++j) {
+        if (!at_start(i, j) || !at_end(j, i)) continue;
+        const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+        at_start(i, j) = overlap(source[*from[a]], source[*from[b]]);
+        at_end(j, i) = overlap(destination[*to[a]], destination[*to[b]]);
+        contradictions(i, j) = at_start(i, j) && at_end(j, i);
+      }
+    }
+  }
+
+  Demands at_start, at_end;
+  Demands contradictions;  ///< demands of the start, against which the end has one
+};
+
+/// An order of the indices that meets all demands of the first kind, which go in no circle, and
+/// what it can of the second; else the order given.
+std::vector<std::size_t> ordered(const Demands& first, const Demands& second) {
+  const auto count = first.rows();
+  std::vector<Eigen::Index> left(static_cast<std::size_t>(count));
+  std::iota(left.begin(), left.end(), 0);
+  const auto waiting = [](const Demands& demands) {
+    return Eigen::VectorX<Eigen::Index>(demands.cast<Eigen::Index>().colwise().sum().transpose());
+  };
+  // How many of those left come before each.
+  Eigen::VectorX<Eigen::Index> must_wait = waiting(first), may_wait = waiting(second);
+  std::vector<std::size_t> result;
+  while (!left.empty()) {
+    auto next = left.end();
+    for (auto candidate = left.begin(); candidate != left.end(); ++candidate) {
+      if (must_wait[*candidate] != 0) continue;
+      if (next == left.end() || may_wait[*candidate] < may_wait[*next]) next = candidate;
+      if (may_wait[*next] == 0) break;
+    }
+    result.push_back(static_cast<std::size_t>(*next));
+    must_wait -= first.row(*next).cast<Eigen::Index>().transpose();
+    may_wait -= second.row(*next).cast<Eigen::Index>().transpose();
+    left.erase(next);
+  }
+  return result;
+}
+
+/// The demands without some.
+Demands without(const Demands& demands, const Demands& some) {
+  return demands.binaryExpr(some, [](bool a, bool b) { return a && !b; });
+}
+
 }  // namespace
 
 std::vector<LayerMatch> painting_order(const std::vector<LayerMatch>& matches,
                                        const std::vector<FrameLayer>& source,
                                        const std::vector<FrameLayer>& destination) {
-  const std::vector<Box> source_boxes = boxes_of(source), end_boxes = boxes_of(destination);
-  // Decides between two matches that the boxes order one way in the source and the other in the destination.
-  const auto source_decides = [&](const LayerMatch& a, const LayerMatch& b) {
-    return overlap(source[*a.source], source[*b.source]) ||
-           !overlap(destination[*a.destination], destination[*b.destination]);
-  };
-  const auto comes_first = [&](const LayerMatch& a, const LayerMatch& b) {
-    const bool in_source = is_below(a.source, b.source, source_boxes);
-    const bool at_end = is_below(a.destination, b.destination, end_boxes);
-    if (in_source && is_below(b.destination, a.destination, end_boxes)) {
-      return source_decides(a, b);
-    }
-    if (at_end && is_below(b.source, a.source, source_boxes)) return !source_decides(a, b);
-    return in_source || at_end;
-  };
-  const auto count = static_cast<Eigen::Index>(matches.size());
-  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> precedes(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      precedes(i, j) =
-          comes_first(matches[static_cast<std::size_t>(i)], matches[static_cast<std::size_t>(j)]);
-    }
+  const BothEnds ends(matches, source, destination);
+  std::vector<LayerMatch> result;
+  for (const std::size_t i :
+       ordered(ends.at_start, without(ends.at_end, ends.contradictions.transpose()))) {
+    result.push_back(matches[i]);
   }
-  std::vector<Eigen::Index> left(matches.size());
-  std::iota(left.begin(), left.end(), 0);
-  // How many of those left come before each.
-  Eigen::VectorX<Eigen::Index> waits_for =
-      precedes.cast<Eigen::Index>().colwise().sum().transpose();
-  std::vector<LayerMatch> ordered;
-  while (!left.empty()) {
-    auto next = std::find_if(left.begin(), left.end(),
-                             [&](Eigen::Index candidate) { return waits_for[candidate] == 0; });
-    if (next == left.end()) next = left.begin();  // a circle of demands
-    ordered.push_back(matches[static_cast<std::size_t>(*next)]);
-    waits_for -= precedes.row(*next).cast<Eigen::Index>().transpose();
-    left.erase(next);
-  }
-  return ordered;
+  return result;
+}
+
+std::vector<std::size_t> final_painting_order(const std::vector<LayerMatch>& matches,
+                                              const std::vector<FrameLayer>& source,
+                                              const std::vector<FrameLayer>& destination) {
+  const BothEnds ends(matches, source, destination);
+  return ordered(ends.at_end, without(ends.at_start, ends.contradictions));
 }
 
 }  // namespace wavecurve::motion

@@ -11,6 +11,11 @@ FrameLayer square(double x, double size = 1) {
   return {"", {points.rowwise() + Eigen::RowVector2d(x, 0)}, {}};
 }
 
+FrameLayer coloured(FrameLayer layer, Colour colour) {
+  layer.paint.fill = colour;
+  return layer;
+}
+
 std::vector<std::optional<std::size_t>> sources(const std::vector<LayerMatch>& matches) {
   std::vector<std::optional<std::size_t>> places;
   for (const LayerMatch& match : matches) places.push_back(match.source);
@@ -46,12 +51,34 @@ TEST(PaintingOrder, LooksAtOutlinesWhereTheEndsContradictEachOther) {
   EXPECT_EQ(sources(painting_order({{0, 1}, {1, 0}}, source, destination)), (Places{1, 0}));
 }
 
-TEST(PaintingOrder, EndsWhereDemandsGoRound) {
+TEST(PaintingOrder, TheEndsMayContradictEachOther) {
+  const std::vector<FrameLayer> both{square(0), coloured(square(0.5), {1, 0, 0})};
+  const std::vector<LayerMatch> crossed{{0, 1}, {1, 0}};
+  EXPECT_EQ(sources(painting_order(crossed, both, both)), (Places{0, 1}));
+  EXPECT_EQ(final_painting_order(crossed, both, both), (std::vector<std::size_t>{1, 0}));
+  // Nobody sees which of two layers of one colour is the upper one.
+  const std::vector<FrameLayer> alike{coloured(square(0), {}), coloured(square(0.5), {})};
+  EXPECT_EQ(final_painting_order(crossed, alike, alike), (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(PaintingOrder, WhatLiesOnAnExchangedLayerGoesWithIt) {
+  // In the source 0 < 1, on which 2 vanishes; in the destination 1 < 0.
+  const std::vector<FrameLayer> source{square(0), coloured(square(0), {1, 0, 0}), square(0.2)};
+  const std::vector<FrameLayer> destination{coloured(square(0), {1, 0, 0}), square(0)};
+  const std::vector<LayerMatch> matches{{1, 0}, {0, 1}, {2, std::nullopt}};
+  const auto start = painting_order(matches, source, destination);
+  ASSERT_EQ(sources(start), (Places{0, 1, 2}));
+  EXPECT_EQ(final_painting_order(start, source, destination), (std::vector<std::size_t>{1, 0, 2}));
+}
+
+TEST(PaintingOrder, MeetsEachEndWhereDemandsGoRound) {
   // In the source 0 < 1, in the destination 1 < 2 < 0.
   const std::vector<FrameLayer> source{square(0), square(0.5), square(9)};
   const std::vector<FrameLayer> destination{square(5), square(4.2), square(5.8)};
   const std::vector<LayerMatch> matches{{0, 2}, {1, 1}, {2, 0}};
-  EXPECT_EQ(painting_order(matches, source, destination).size(), 3u);
+  const auto start = painting_order(matches, source, destination);
+  EXPECT_EQ(start.size(), 3u);
+  EXPECT_EQ(final_painting_order(start, source, destination).size(), 3u);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "wavecurve/motion/morph/detail/pair_contours.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/motion/morph/detail/assignment.hpp"
-#include "wavecurve/motion/morph/detail/holes.hpp"
 #include "wavecurve/motion/morph/detail/nesting.hpp"
 
 namespace wavecurve::motion {
@@ -18,13 +18,48 @@ using Eigen::Vector2d;
 using In = const Eigen::Ref<const Contour>&;
 using Outline = std::vector<Contour>;
 
-/// The contours of an oriented outline that turn one way: outer ones, or holes.
-Outline turning(const Outline& outline, bool clockwise) {
-  Outline chosen;
-  for (const Contour& contour : outline) {
-    if ((signed_area(contour) >= 0) == clockwise) chosen.push_back(contour);
+/// What goes with its like. The contours of a layer are oriented.
+enum class Kind { outer, hole, line };
+
+struct Piece {
+  const Contour& contour;
+  bool is_line;
+};
+
+std::vector<Piece> of_kind(const FrameLayer& layer, Kind kind, bool lines_are_outer) {
+  std::vector<Piece> chosen;
+  for (std::size_t i = 0; i < layer.contours.size(); ++i) {
+    const bool is_line = is_open(layer, i);
+    const Kind own = is_line ? (lines_are_outer ? Kind::outer : Kind::line)
+                     : signed_area(layer.contours[i]) >= 0 ? Kind::outer
+                                                           : Kind::hole;
+    if (own == kind) chosen.push_back({layer.contours[i], is_line});
   }
   return chosen;
+}
+
+/// The outer contours and lines of a layer.
+Outline ground(const FrameLayer& layer) {
+  Outline contours;
+  for (const Piece& piece : of_kind(layer, Kind::outer, true)) contours.push_back(piece.contour);
+  return contours;
+}
+
+/// Where a line that runs there and back turns, the join is the cap: a miter is too long there, so
+/// that it is a bevel.
+bool has_joins_like_caps(const FrameLayer& layer) {
+  const Paint& paint = layer.paint;
+  const bool has_line = std::find(layer.open.begin(), layer.open.end(), true) != layer.open.end();
+  if (!has_line || !paint.stroke) return true;
+  return (paint.line_cap == LineCap::round && paint.line_join == LineJoin::round) ||
+         (paint.line_cap == LineCap::butt && paint.line_join != LineJoin::round);
+}
+
+bool has_only_lines(const FrameLayer& layer) {
+  for (std::size_t i = 0; i < layer.contours.size(); ++i) {
+    if (!is_open(layer, i)) return false;
+  }
+  return true;
 }
 
 double root_of_area(In contour) { return std::sqrt(std::abs(signed_area(contour))); }
@@ -51,8 +86,10 @@ Vector2d shrinking_point(In contour, const Outline& ground) {
   return nearest == nullptr ? own : interior_point(*nearest);
 }
 
-ContourPair shrink(In contour, const Outline& ground) {
-  return {contour, shrinking_point(contour, ground).transpose().replicate(contour.rows(), 1)};
+ContourPair shrink(const Piece& piece, const Outline& ground) {
+  const Contour& contour = piece.contour;
+  return {contour, shrinking_point(contour, ground).transpose().replicate(contour.rows(), 1),
+          piece.is_line};
 }
 
 /// The better of the two starts that leave a stroke there and back: either end.
@@ -63,88 +100,79 @@ Index stroke_shift(In from, In to) {
   return (z - w).squaredNorm() <= (z - started_at(w, half)).squaredNorm() ? 0 : half;
 }
 
-ContourPair pair(In from, In to, Rotation rotation, std::optional<Index> start) {
-  if (start) return {from, started_at(to, *start)};
-  const bool are_strokes = is_there_and_back(from) && is_there_and_back(to);
-  return {from,
-          started_at(to, are_strokes ? stroke_shift(from, to) : best_shift(from, to, rotation))};
+ContourPair pair(const Piece& source, const Piece& destination, Rotation rotation,
+                 std::optional<Index> start) {
+  const Contour &from = source.contour, &to = destination.contour;
+  const bool are_lines = source.is_line && destination.is_line;
+  if (start) {
+    // From within a line its way there would not be the first half.
+    return {from, started_at(to, *start), are_lines && *start % (to.rows() / 2) == 0};
+  }
+  return {from, started_at(to, are_lines ? stroke_shift(from, to) : best_shift(from, to, rotation)),
+          are_lines};
 }
 
-/// Assigns contours of the same kind to each other; `ground` holds the outer contours of both.
-void append_pairs(const Outline& source, const Outline& destination, const Outline& source_ground,
-                  const Outline& destination_ground, Rotation rotation, std::optional<Index> start,
-                  std::vector<ContourPair>& pairs) {
-  check_assignment("contours", source.size(), destination.size());
-  Eigen::MatrixXd costs(source.size(), destination.size());
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    for (std::size_t j = 0; j < destination.size(); ++j) {
-      costs(static_cast<Index>(i), static_cast<Index>(j)) = cost(source[i], destination[j]);
+/// Two layers under way to their pairs.
+struct Pairing {
+  const FrameLayer &source, &destination;
+  Outline source_ground, destination_ground;  ///< the outer contours
+  Rotation rotation;
+  std::optional<Index> start;
+  ContourPairs pairs;
+
+  /// Assigns the contours of a kind to each other.
+  void append(Kind kind, bool lines_are_outer) {
+    const std::vector<Piece> from = of_kind(source, kind, lines_are_outer);
+    const std::vector<Piece> to = of_kind(destination, kind, lines_are_outer);
+    check_assignment("contours", from.size(), to.size());
+    Eigen::MatrixXd costs(from.size(), to.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      for (std::size_t j = 0; j < to.size(); ++j) {
+        costs(static_cast<Index>(i), static_cast<Index>(j)) = cost(from[i].contour, to[j].contour);
+      }
+    }
+    const auto partner = optimal_assignment(costs);
+    std::vector<bool> is_taken(to.size(), false);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      if (!partner[i]) {
+        pairs.vanishing.push_back(shrink(from[i], destination_ground));
+        continue;
+      }
+      const auto j = static_cast<std::size_t>(*partner[i]);
+      is_taken[j] = true;
+      pairs.lasting.push_back(pair(from[i], to[j], rotation, start));
+    }
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      if (is_taken[j]) continue;
+      const ContourPair shrinking = shrink(to[j], source_ground);
+      pairs.appearing.push_back({shrinking.destination, shrinking.source, shrinking.open});
     }
   }
-  const auto partner = optimal_assignment(costs);
-  std::vector<bool> is_taken(destination.size(), false);
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    if (!partner[i]) {
-      pairs.push_back(shrink(source[i], destination_ground));
-      continue;
-    }
-    const auto j = static_cast<std::size_t>(*partner[i]);
-    is_taken[j] = true;
-    pairs.push_back(pair(source[i], destination[j], rotation, start));
-  }
-  for (std::size_t j = 0; j < destination.size(); ++j) {
-    if (is_taken[j]) continue;
-    const ContourPair shrinking = shrink(destination[j], source_ground);
-    pairs.push_back({shrinking.destination, shrinking.source});
-  }
-}
+};
 
 }  // namespace
 
-std::vector<Contour> oriented(std::vector<Contour> outline, std::optional<FillRule> rule) {
-  const std::vector<bool> hole =
-      rule ? holes(outline, *rule) : std::vector<bool>(outline.size(), false);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if ((signed_area(outline[i]) >= 0) != hole[i]) continue;
-    // The first point stays the first.
-    const Index others = outline[i].rows() - 1;
-    outline[i].bottomRows(others) = outline[i].bottomRows(others).colwise().reverse().eval();
-  }
-  return outline;
+ContourPairs pair_contours(const FrameLayer& source, const FrameLayer& destination,
+                           Rotation rotation, std::optional<Index> start) {
+  // Where both have lines alone, or the ends would look otherwise, lines keep to themselves.
+  const bool lines_are_outer = has_only_lines(source) != has_only_lines(destination) &&
+                               has_joins_like_caps(source) && has_joins_like_caps(destination);
+  Pairing pairing{source, destination, ground(source), ground(destination), rotation, start, {}};
+  pairing.append(Kind::outer, lines_are_outer);
+  pairing.append(Kind::hole, lines_are_outer);
+  if (!lines_are_outer) pairing.append(Kind::line, false);
+  return std::move(pairing.pairs);
 }
 
-bool is_there_and_back(In contour) {
-  const Index count = contour.rows();
-  const double extent = (contour.colwise().maxCoeff() - contour.colwise().minCoeff()).maxCoeff();
-  // Samples of both ways are equal but for the rounding of arc lengths.
-  const double tolerance = 1e-9 * extent;
-  for (Index i = 1; 2 * i < count; ++i) {
-    if (!((contour.row(i) - contour.row(count - i)).cwiseAbs().maxCoeff() <= tolerance)) {
-      return false;
-    }
-  }
-  return count > 2;
-}
-
-std::vector<ContourPair> pair_contours(const Outline& source, const Outline& destination,
-                                       Rotation rotation, std::optional<Index> start) {
-  const Outline source_ground = turning(source, true);
-  const Outline destination_ground = turning(destination, true);
-  std::vector<ContourPair> pairs;
-  append_pairs(source_ground, destination_ground, source_ground, destination_ground, rotation,
-               start, pairs);
-  append_pairs(turning(source, false), turning(destination, false), source_ground,
-               destination_ground, rotation, start, pairs);
-  return pairs;
-}
-
-std::vector<ContourPair> shrink_contours(const Outline& source, const Outline& ground) {
+std::vector<ContourPair> shrink_contours(const FrameLayer& source, const Outline& other_ground) {
   std::vector<ContourPair> pairs;
   // One point for all, or holes would wander out of what they are holes of.
-  const Outline outer = turning(source, true);
-  const Vector2d point = shrinking_point(outer.empty() ? source.front() : outer.front(), ground);
-  for (const Contour& contour : source) {
-    pairs.push_back({contour, point.transpose().replicate(contour.rows(), 1)});
+  const Outline outer = ground(source);
+  const Vector2d point =
+      shrinking_point(outer.empty() ? source.contours.front() : outer.front(), other_ground);
+  for (std::size_t i = 0; i < source.contours.size(); ++i) {
+    const Contour& contour = source.contours[i];
+    pairs.push_back({contour, point.transpose().replicate(contour.rows(), 1), is_open(source, i)});
   }
   return pairs;
 }

@@ -33,58 +33,84 @@ Contour line(double x0, double x1, double y) {
   return points;
 }
 
-TEST(Oriented, OuterContoursClockwiseHolesNot) {
-  const auto result = oriented({circle(0, 0, 3), circle(0, 0, 1)}, FillRule::evenodd);
-  EXPECT_GT(signed_area(result[0]), 0);
-  EXPECT_LT(signed_area(result[1]), 0);
-  EXPECT_TRUE(is_hole(result, 1, FillRule::nonzero));
-  EXPECT_EQ(result[1].row(0), circle(0, 0, 1).row(0));
-  EXPECT_GT(signed_area(oriented({circle(0, 0, 3), circle(0, 0, 1)}, FillRule::nonzero)[1]), 0);
-  EXPECT_GT(signed_area(oriented({circle(0, 0, 3), circle(0, 0, 1, false)}, std::nullopt)[1]), 0);
+FrameLayer filled(std::vector<Contour> contours) {
+  FrameLayer layer{"", std::move(contours), {}};
+  layer.paint.fill = Colour{};
+  return layer;
+}
+
+FrameLayer stroked(std::vector<Contour> contours, std::vector<bool> open, LineCap cap) {
+  FrameLayer layer{"", std::move(contours), {}, std::move(open)};
+  layer.paint.stroke = Colour{};
+  layer.paint.line_cap = cap;
+  layer.paint.line_join = LineJoin::round;
+  return layer;
 }
 
 TEST(PairContours, OuterWithOuterAndHoleWithHole) {
   // The hole of the source is as large as the second piece of the destination, and at its place.
-  const auto pairs = pair_contours({circle(0, 0, 9), circle(3, 0, 2, false)},
-                                   {circle(3, 0, 2), circle(0, 0, 9), circle(-3, 0, 1, false)},
-                                   Rotation::kept, std::nullopt);
-  ASSERT_EQ(pairs.size(), 3u);
-  EXPECT_GT(signed_area(pairs[0].source), 200);
-  EXPECT_GT(signed_area(pairs[0].destination), 200);
+  const ContourPairs pairs = pair_contours(
+      filled({circle(0, 0, 9), circle(3, 0, 2, false)}),
+      filled({circle(3, 0, 2), circle(0, 0, 9), circle(-3, 0, 1, false)}), Rotation::kept, {});
+  ASSERT_EQ(pairs.lasting.size(), 2u);
+  EXPECT_GT(signed_area(pairs.lasting[0].source), 200);
+  EXPECT_GT(signed_area(pairs.lasting[0].destination), 200);
+  EXPECT_LT(signed_area(pairs.lasting[1].source), 0);
+  EXPECT_LT(signed_area(pairs.lasting[1].destination), 0);
   // The piece grows from a point inside the source.
-  EXPECT_EQ(signed_area(pairs[1].source), 0);
-  EXPECT_NE(winding_number(circle(0, 0, 9), pairs[1].source.row(0)), 0);
-  EXPECT_NEAR(pairs[1].source(0, 0), 3, 1e-12);
-  EXPECT_LT(signed_area(pairs[2].source), 0);
-  EXPECT_LT(signed_area(pairs[2].destination), 0);
+  ASSERT_EQ(pairs.appearing.size(), 1u);
+  EXPECT_EQ(signed_area(pairs.appearing[0].source), 0);
+  EXPECT_NE(winding_number(circle(0, 0, 9), pairs.appearing[0].source.row(0)), 0);
+  EXPECT_NEAR(pairs.appearing[0].source(0, 0), 3, 1e-12);
+  EXPECT_TRUE(pairs.vanishing.empty());
 }
 
 TEST(PairContours, WhatIsOutsideShrinksIntoTheNearest) {
-  const auto pairs = pair_contours({circle(0, 0, 1), circle(20, 0, 1)}, {circle(0, 1, 1)},
-                                   Rotation::kept, std::nullopt);
-  ASSERT_EQ(pairs.size(), 2u);
-  EXPECT_NE(winding_number(circle(0, 1, 1), pairs[1].destination.row(0)), 0);
-  EXPECT_EQ((pairs[1].destination.rowwise() - pairs[1].destination.row(0)).norm(), 0);
+  const ContourPairs pairs = pair_contours(filled({circle(0, 0, 1), circle(20, 0, 1)}),
+                                           filled({circle(0, 1, 1)}), Rotation::kept, {});
+  ASSERT_EQ(pairs.lasting.size(), 1u);
+  ASSERT_EQ(pairs.vanishing.size(), 1u);
+  const Contour& point = pairs.vanishing[0].destination;
+  EXPECT_NE(winding_number(circle(0, 1, 1), point.row(0)), 0);
+  EXPECT_EQ((point.rowwise() - point.row(0)).norm(), 0);
 }
 
 TEST(PairContours, StartsWhereToldTo) {
   const Contour turned = started_at(circle(5, 5, 2), 11);
-  const auto found = pair_contours({circle(0, 0, 1)}, {turned}, Rotation::kept, std::nullopt);
-  EXPECT_LT((found[0].destination - circle(5, 5, 2)).norm(), 1e-12);
-  const auto told = pair_contours({circle(0, 0, 1)}, {turned}, Rotation::kept, 4);
-  EXPECT_EQ(told[0].destination, started_at(turned, 4));
+  const auto pair = [&](std::optional<Index> start) {
+    return pair_contours(filled({circle(0, 0, 1)}), filled({turned}), Rotation::kept, start)
+        .lasting.at(0);
+  };
+  EXPECT_LT((pair({}).destination - circle(5, 5, 2)).norm(), 1e-12);
+  EXPECT_EQ(pair(4).destination, started_at(turned, 4));
 }
 
-TEST(PairContours, StrokesStayThereAndBack) {
-  ASSERT_TRUE(is_there_and_back(line(0, 5, 0)));
-  ASSERT_FALSE(is_there_and_back(circle(0, 0, 1)));
-  const auto pairs = pair_contours({line(0, 5, 0)}, {line(9, 3, 2)}, Rotation::kept, std::nullopt);
-  EXPECT_TRUE(is_there_and_back(pairs[0].source + pairs[0].destination));
-  EXPECT_EQ(pairs[0].destination(0, 0), 3);  // its left end, as of the other
+TEST(PairContours, LinesGoByTheirEnds) {
+  const ContourPairs pairs =
+      pair_contours(stroked({line(0, 5, 0)}, {true}, LineCap::butt),
+                    stroked({line(9, 3, 2)}, {true}, LineCap::butt), Rotation::kept, {});
+  ASSERT_EQ(pairs.lasting.size(), 1u);
+  EXPECT_TRUE(pairs.lasting[0].open);
+  EXPECT_EQ(pairs.lasting[0].destination(0, 0), 3);  // its left end, as of the other
+}
+
+TEST(PairContours, ALineBecomesAClosedContourWhereItsJoinsLookLikeItsCaps) {
+  const FrameLayer closed = stroked({circle(0, 0, 1)}, {false}, LineCap::butt);
+  const auto pairs = [&](LineCap cap) {
+    return pair_contours(stroked({line(0, 5, 0)}, {true}, cap), closed, Rotation::kept, {});
+  };
+  ASSERT_EQ(pairs(LineCap::round).lasting.size(), 1u);
+  EXPECT_FALSE(pairs(LineCap::round).lasting[0].open);
+  const ContourPairs apart = pairs(LineCap::square);
+  EXPECT_TRUE(apart.lasting.empty());
+  ASSERT_EQ(apart.vanishing.size(), 1u);
+  EXPECT_TRUE(apart.vanishing[0].open);
+  EXPECT_EQ(apart.appearing.size(), 1u);
 }
 
 TEST(ShrinkContours, ToOnePointWithTheirHoles) {
-  const auto pairs = shrink_contours({circle(0, 0, 3), circle(1, 0, 1, false)}, {circle(0, 5, 9)});
+  const auto pairs =
+      shrink_contours(filled({circle(0, 0, 3), circle(1, 0, 1, false)}), {circle(0, 5, 9)});
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_EQ(pairs[0].destination, pairs[1].destination);
   EXPECT_EQ(reversed(pairs)[0].source, pairs[0].destination);

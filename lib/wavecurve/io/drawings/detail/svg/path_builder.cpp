@@ -5,6 +5,7 @@ namespace wavecurve::io {
 void PathBuilder::move_to(const Eigen::Vector2d& to) {
   start_ = current_ = to;
   drawing_ = false;
+  moved_ = true;
 }
 
 void PathBuilder::line_to(const Eigen::Vector2d& to) {
@@ -30,7 +31,8 @@ void PathBuilder::cubic_to(const Eigen::Vector2d& first, const Eigen::Vector2d& 
 }
 
 void PathBuilder::close() {
-  if (!drawing_) return;
+  if (!drawing_ && !moved_) return;
+  if (!drawing_) line_to(start_);  // a dot, where its stroke has caps
   if (current_ != start_) line_to(start_);
   subpaths_.back().closed = true;
   drawing_ = false;
@@ -44,6 +46,7 @@ void PathBuilder::move_end(const Eigen::Vector2d& to) {
 void PathBuilder::append(const BezierSegment& segment) {
   if (!drawing_) subpaths_.emplace_back();
   drawing_ = true;
+  moved_ = false;
   subpaths_.back().segments.push_back(segment);
   current_ = segment.control.rightCols<1>();
 }

@@ -29,7 +29,7 @@ class PathBuilder {
 
   std::vector<Subpath> subpaths_;
   Eigen::Vector2d start_ = Eigen::Vector2d::Zero(), current_ = Eigen::Vector2d::Zero();
-  bool drawing_ = false;
+  bool drawing_ = false, moved_ = false;
 };
 
 }  // namespace wavecurve::io

@@ -111,10 +111,16 @@ class SvgReader {
       refuse(element, fmt::format("more than {} elements in each other", deepest_nesting));
     }
     const StyleSource source{sheet_, elements_, warnings_};
+    const double outer_opacity = scene.style.opacity;
     scene.style = style_of(element, scene.style, scene.viewport, source);
     if (scene.style.displayed) {
       at_transform(element, scene);
+      const std::size_t first = file_.drawing.layers.size();
       draw_kind(element, scene);
+      if (scene.style.opacity < outer_opacity && !is_shape(element) &&
+          file_.drawing.layers.size() > first + 1) {
+        warnings_.add("the opacity of a group is given to each of its shapes");
+      }
     }
     --depth_;
   }
@@ -250,6 +256,7 @@ class SvgReader {
       layer.subpaths = outline_of(shape, scene.viewport);
       transform_outline(layer.subpaths, scene.transform);
     });
+    if (layer.paint.stroke && layer.paint.line_cap != LineCap::butt) lengthen_dots(layer);
     std::erase_if(layer.subpaths, has_no_length);
     if (layer.subpaths.empty()) {
       nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, shown(id));
@@ -258,7 +265,20 @@ class SvgReader {
     }
     warn_of_uneven_stroke(layer.paint, scene.transform);
     count_segments(shape, layer);
-    add(shape, std::move(layer), named);
+    add(shape, std::move(layer), named, scene.style.stroke_first);
+  }
+
+  /// Of a line without length the caps are painted, along the axis of x. So it is given one, too
+  /// short to be seen.
+  static void lengthen_dots(Layer& layer) {
+    for (Subpath& subpath : layer.subpaths) {
+      if (!has_no_length(subpath) || subpath.segments.empty()) continue;
+      BezierSegment line;
+      line.control.resize(2, 2);
+      line.control.colwise() = subpath.segments.front().control.col(0).eval();
+      line.control(0, 1) += 1e-4 * layer.paint.stroke_width;
+      subpath = {{line}, false};
+    }
   }
 
   void warn_of_uneven_stroke(const Paint& paint, const Eigen::Affine2d& transform) {
@@ -279,11 +299,15 @@ class SvgReader {
     }
   }
 
-  /// A fill closes its subpaths, a stroke does not: together they are two layers.
-  void add(const XmlElement& shape, Layer layer, bool named) {
+  /// A fill closes its subpaths, a stroke does not: together they are two layers. So they are where
+  /// the stroke is painted first.
+  void add(const XmlElement& shape, Layer layer, bool named, bool stroke_first) {
     const auto is_open = [](const Subpath& subpath) { return !subpath.closed; };
     const bool open = std::any_of(layer.subpaths.begin(), layer.subpaths.end(), is_open);
-    if (!open || !layer.paint.fill) return append(std::move(layer), named);
+    const bool has_both = layer.paint.fill && layer.paint.stroke;
+    if (!layer.paint.fill || (!open && !(stroke_first && has_both))) {
+      return append(std::move(layer), named);
+    }
     Layer stroke = layer;
     stroke.paint.fill.reset();
     layer.paint.stroke.reset();
@@ -305,6 +329,10 @@ class SvgReader {
       return;
     }
     if (filled && stroked) stroke.id += "-stroke";
+    if (stroked && filled && stroke_first) {
+      append(std::move(stroke), false);
+      return append(std::move(layer), named);
+    }
     if (filled) append(std::move(layer), named);
     if (stroked) append(std::move(stroke), named && !filled);
   }

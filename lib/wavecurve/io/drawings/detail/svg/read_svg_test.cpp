@@ -163,5 +163,19 @@ TEST(ReadSvg, AShapeWithoutLengthIsSkipped) {
                                                      "line 1: circle-1 has no length"}));
 }
 
+TEST(ReadSvg, ALineWithoutLengthIsADotWhereItHasCaps) {
+  const std::string stroke = "stroke='red' stroke-width='20' stroke-linecap='";
+  for (const std::string data : {"M20 20z", "M20 20h0", "M20 20L20 20z"}) {
+    const Layer dot = test::only_layer("<path d='" + data + "' " + stroke + "round'/>");
+    ASSERT_EQ(dot.subpaths.size(), 1U) << data;
+    EXPECT_FALSE(dot.subpaths[0].closed);
+    EXPECT_FALSE(dot.paint.fill);
+    EXPECT_NEAR(dot.subpaths[0].segments[0].control(0, 1), 20, 0.01);
+    EXPECT_THROW(test::read("<path d='" + data + "' " + stroke + "butt'/>"), std::invalid_argument);
+  }
+  EXPECT_THROW(test::read("<path d='M20 20' " + stroke + "round'/>"), std::invalid_argument);
+  EXPECT_EQ(test::path_of("M0 0L9 0L9 9zz").size(), 1U);
+}
+
 }  // namespace
 }  // namespace wavecurve::io

@@ -48,13 +48,30 @@ std::string take_name(std::string_view& text) {
 }
 
 /// Presentation attributes are those whose names are properties that the reader uses.
-constexpr std::string_view presentation_attributes[] = {
-    "clip-path",      "color",           "display",        "fill",
-    "fill-opacity",   "fill-rule",       "filter",         "marker-end",
-    "marker-mid",     "marker-start",    "mask",           "opacity",
-    "stop-color",     "stop-opacity",    "stroke",         "stroke-dasharray",
-    "stroke-linecap", "stroke-linejoin", "stroke-opacity", "stroke-width",
-    "visibility"};
+constexpr std::string_view presentation_attributes[] = {"clip-path",
+                                                        "color",
+                                                        "display",
+                                                        "fill",
+                                                        "fill-opacity",
+                                                        "fill-rule",
+                                                        "filter",
+                                                        "marker-end",
+                                                        "marker-mid",
+                                                        "marker-start",
+                                                        "mask",
+                                                        "opacity",
+                                                        "stop-color",
+                                                        "stop-opacity",
+                                                        "stroke",
+                                                        "stroke-dasharray",
+                                                        "stroke-linecap",
+                                                        "stroke-linejoin",
+                                                        "stroke-miterlimit",
+                                                        "stroke-opacity",
+                                                        "stroke-width",
+                                                        "paint-order",
+                                                        "vector-effect",
+                                                        "visibility"};
 
 constexpr std::size_t most_classes = 16;  // of one compound
 

@@ -1,6 +1,8 @@
 #include "wavecurve/io/drawings/detail/svg/svg_style.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 #include "wavecurve/io/files/detail/text.hpp"
 
@@ -24,6 +26,7 @@ class StyleReader {
     read_opacity("opacity", own_opacity);
     style.opacity *= own_opacity;
     read_stroke_width(style.stroke_width);
+    read_pen(style);
     read_keywords(style);
     warn_of_unsupported();
     return style;
@@ -162,6 +165,41 @@ class StyleReader {
     }
   }
 
+  void read_pen(Style& style) const {
+    style.scales_stroke = given("vector-effect") != "non-scaling-stroke";
+    if (const auto order = given("paint-order"); !order.empty()) {
+      style.stroke_first = order.find("stroke") < order.find("fill") && order != "normal";
+    }
+    using enum LineCap;
+    read_choice("stroke-linecap", {{"butt", butt}, {"round", round}, {"square", square}},
+                style.line_cap);
+    read_choice(
+        "stroke-linejoin",
+        {{"miter", LineJoin::miter}, {"round", LineJoin::round}, {"bevel", LineJoin::bevel}},
+        style.line_join);
+    const std::string_view limit = given("stroke-miterlimit");
+    if (limit.empty()) return;
+    if (const auto parsed = parse_length(limit, 1); parsed && *parsed >= 1) {
+      style.miter_limit = *parsed;
+    } else {
+      warn_of_value("stroke-miterlimit", limit);
+    }
+  }
+
+  template <class Value>
+  void read_choice(std::string_view property,
+                   std::initializer_list<std::pair<std::string_view, Value>> choices,
+                   Value& chosen) const {
+    const std::string_view value = given(property);
+    if (value.empty()) return;
+    for (const auto& [name, choice] : choices) {
+      if (name != lower_case(value)) continue;
+      chosen = choice;
+      return;
+    }
+    warn_of_value(property, value);
+  }
+
   void read_keywords(Style& style) const {
     if (const auto value = given("fill-rule"); !value.empty()) {
       style.fill_rule = value == "evenodd" ? FillRule::evenodd : FillRule::nonzero;
@@ -178,10 +216,6 @@ class StyleReader {
       if (!value.empty() && value != "none") {
         source_.warnings.add("the property {} is not supported", property);
       }
-    }
-    for (std::string_view property : {"stroke-linecap", "stroke-linejoin"}) {
-      const std::string_view value = given(property);
-      if (!value.empty() && value != "round") warn_of_value(property, value);
     }
   }
 
@@ -213,9 +247,12 @@ Paint paint_of(const Style& style, double scale) {
   paint.stroke_opacity = style.opacity * style.stroke_opacity;
   paint.fill = resolve(style.fill, style.colour, paint.fill_opacity);
   paint.stroke = resolve(style.stroke, style.colour, paint.stroke_opacity);
-  paint.stroke_width = scale * style.stroke_width;
+  paint.stroke_width = (style.scales_stroke ? scale : 1) * style.stroke_width;
   if (paint.stroke_width == 0) paint.stroke.reset();
   paint.fill_rule = style.fill_rule;
+  paint.line_cap = style.line_cap;
+  paint.line_join = style.line_join;
+  paint.miter_limit = style.miter_limit;
   return paint;
 }
 

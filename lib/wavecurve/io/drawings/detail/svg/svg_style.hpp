@@ -32,6 +32,11 @@ struct Style {
   double fill_opacity = 1, stroke_opacity = 1, stroke_width = 1;
   double opacity = 1;  ///< the product over the groups
   FillRule fill_rule = FillRule::nonzero;
+  LineCap line_cap = LineCap::butt;
+  LineJoin line_join = LineJoin::miter;
+  double miter_limit = 4;
+  bool stroke_first = false;  ///< by paint-order
+  bool scales_stroke = true;  ///< not by vector-effect, which is not inherited
   bool visible = true, displayed = true;
 };
 

@@ -47,6 +47,54 @@ TEST(Colour, ItsOpacityIsThePaints) {
   EXPECT_DOUBLE_EQ(paint("fill='transparent'").fill_opacity, 0);
 }
 
+TEST(Style, CapsJoinsAndMiterLimit) {
+  const Paint plain = paint("stroke='red'");
+  EXPECT_EQ(plain.line_cap, LineCap::butt);
+  EXPECT_EQ(plain.line_join, LineJoin::miter);
+  EXPECT_EQ(plain.miter_limit, 4);
+  const Paint given = paint("stroke='red' stroke-linejoin='bevel' stroke-miterlimit='2.5'",
+                            "<g style='stroke-linecap:square'>", "</g>");
+  EXPECT_EQ(given.line_cap, LineCap::square);
+  EXPECT_EQ(given.line_join, LineJoin::bevel);
+  EXPECT_EQ(given.miter_limit, 2.5);
+  const auto warnings = test::read("<path " + triangle +
+                                   " stroke='red' stroke-linecap='flat' stroke-linejoin='arcs'"
+                                   " stroke-miterlimit='0.5'/>")
+                            .warnings;
+  EXPECT_EQ(warnings, (std::vector<std::string>{"the stroke-linecap 'flat' is not supported",
+                                                "the stroke-linejoin 'arcs' is not supported",
+                                                "the stroke-miterlimit '0.5' is not supported"}));
+}
+
+TEST(Style, AStrokeMayKeepItsWidth) {
+  const std::string scaled = "stroke='red' stroke-width='2' transform='scale(10)'";
+  EXPECT_DOUBLE_EQ(paint(scaled).stroke_width, 20);
+  EXPECT_DOUBLE_EQ(paint(scaled + " vector-effect='non-scaling-stroke'").stroke_width, 2);
+  EXPECT_DOUBLE_EQ(paint(scaled, "<g vector-effect='non-scaling-stroke'>", "</g>").stroke_width, 20)
+      << "it is not inherited";
+}
+
+TEST(Style, PaintOrderMayPutTheStrokeFirst) {
+  const auto first = [](const std::string& order) {
+    const Drawing drawing =
+        test::read("<path id='p' " + triangle + " stroke='red' paint-order='" + order + "'/>")
+            .drawing;
+    return drawing.layers.size() == 1 ? "both" : drawing.layers[0].id + ", " + drawing.layers[1].id;
+  };
+  EXPECT_EQ(first("normal"), "both");
+  EXPECT_EQ(first("fill stroke"), "both");
+  EXPECT_EQ(first("markers"), "both");
+  EXPECT_EQ(first("stroke"), "p-stroke, p");
+  EXPECT_EQ(first("markers stroke"), "p-stroke, p");
+}
+
+TEST(Style, TheOpacityOfAGroupOfSeveralIsWarnedOf) {
+  const std::string one = "<path " + triangle + "/>";
+  EXPECT_TRUE(test::read("<g opacity='.5'>" + one + "</g>" + one).warnings.empty());
+  EXPECT_EQ(test::read("<g opacity='.5'>" + one + one + "</g>").warnings,
+            std::vector<std::string>{"the opacity of a group is given to each of its shapes"});
+}
+
 TEST(Style, FillIsBlackAndStrokeNoneUnlessGiven) {
   const Paint found = paint("");
   EXPECT_EQ(found, (Paint{black, {}, 1, 1, 1, FillRule::nonzero}));
