@@ -52,6 +52,7 @@ struct MorphOptions {
   std::optional<int> frames;
   double tolerance = 0;
   bool loop = false, sheet = false, rotation = false;
+  io::PointOptions points;
 };
 
 /// The two sides of the last =, since an id may hold one too.
@@ -155,7 +156,8 @@ void run_morph(const MorphOptions& options) {
   check(options);
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   const motion::MorphOptions how = morph_options(options);
-  const Drawing source = drawing_of(options.source), destination = drawing_of(options.destination);
+  const Drawing source = drawing_of(options.source, options.points),
+                destination = drawing_of(options.destination, options.points);
   const std::vector<double> taus = inner_times(frames, options.ease);
   motion::Morph morph;
   std::string text;
@@ -221,6 +223,7 @@ void add_morph_command(CLI::App& app, ExitCode&) {
       ->add_option("--start", options->starts,
                    "First point of the destination's contours of a layer, layer=17")
       ->allow_extra_args(false);
+  add_point_options(command, options->points);
   command->add_flag("--rotation", options->rotation,
                     "Take a rotation out before points are matched");
   add_choice(command, "--crossings", options->crossings, crossings_modes,
