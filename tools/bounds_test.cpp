@@ -64,13 +64,13 @@ class Bounds : public ProgramTest {
 };
 
 TEST_F(Bounds, EndlessFilesAreRefused) {
-  for (const char* name : {"zero.json", "zero.csv", "zero.svg", "zero.txt"}) {
+  for (const char* name : {"zero.json", "zero.csv", "zero.svg", "zero.svgz", "zero.txt"}) {
     std::filesystem::create_symlink("/dev/zero", folder_ / name);
   }
   put("a.svg", svg(square));
   for (const char* arguments :
        {"filter zero.json", "coefficients zero.json", "stiffness zero.json", "check zero.csv",
-        "identify zero.txt", "describe zero.svg", "describe zero.csv",
+        "identify zero.txt", "describe zero.svg", "describe zero.csv", "describe zero.svgz",
         "morph a.svg zero.svg -o b.svg", "reconstruct zero.json -o b.svg", "gait show zero.json",
         "gait fit zero.csv -o p.json", "gait synthesize zero.json a.svg -o b.svg",
         "verify --only table-1 --output v --reference zero.json", "compare --shape zero.svg",

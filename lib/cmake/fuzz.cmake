@@ -106,8 +106,10 @@ set(room ${CMAKE_CURRENT_SOURCE_DIR}/wavecurve)
 file(GLOB readers CONFIGURE_DEPENDS ${room}/io/drawings/detail/svg/*.cpp)
 list(FILTER readers EXCLUDE REGEX "_test\\.cpp$|svg_values\\.cpp$")
 wavecurve_fuzz_sources(readers ${readers} ${room}/io/drawings/detail/read_points.cpp
-                       ${room}/io/tracks/detail/track_table.cpp ${room}/io/files/detail/csv.cpp
-                       ${room}/io/files/detail/for_each_line.cpp ${room}/io/files/detail/text.cpp
+                       ${room}/io/drawings/detail/point_columns.cpp ${room}/io/files/detail/table_rows.cpp
+                       ${room}/io/tracks/detail/track_table.cpp ${room}/io/tracks/detail/wide_table.cpp
+                       ${room}/io/tracks/detail/joint_name.cpp ${room}/io/files/detail/csv.cpp
+                       ${room}/io/files/detail/text.cpp
                        ${room}/filters/detail/bad_value.cpp ${room}/filters/detail/characters.cpp)
 wavecurve_fuzz_object(svg_values ${room}/io/drawings/detail/svg/svg_values.cpp)
 foreach(reader IN ITEMS svg csv tracks)

@@ -18,6 +18,7 @@ void define_program(CLI::App& app, ExitCode& exit_code) {
   add_stiffness_command(app, exit_code);
   add_morph_command(app, exit_code);
   add_describe_command(app, exit_code);
+  add_distance_command(app, exit_code);
   add_reconstruct_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_gait_command(app, exit_code);

@@ -34,6 +34,7 @@ void add_identify_command(CLI::App& app, ExitCode& exit_code);
 void add_stiffness_command(CLI::App& app, ExitCode& exit_code);
 void add_morph_command(CLI::App& app, ExitCode& exit_code);
 void add_describe_command(CLI::App& app, ExitCode& exit_code);
+void add_distance_command(CLI::App& app, ExitCode& exit_code);
 void add_reconstruct_command(CLI::App& app, ExitCode& exit_code);
 void add_compare_command(CLI::App& app, ExitCode& exit_code);
 void add_gait_command(CLI::App& app, ExitCode& exit_code);

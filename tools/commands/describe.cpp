@@ -27,7 +27,8 @@ struct DescribeOptions {
   std::string input, output;
   long samples = 256;
   int levels = -1;  ///< -1: down to 16 coefficients
-  bool interpolate = false, keep_corners = false;
+  bool interpolate = false, keep_corners = false, normalize = false;
+  io::PointOptions points;
 };
 
 int default_levels(Eigen::Index samples) {
@@ -43,8 +44,9 @@ Descriptor described(const DescribeOptions& options) {
   how.levels = options.levels < 0 ? default_levels(options.samples) : options.levels;
   how.mode = options.interpolate ? SampleMode::interpolate : SampleMode::samples;
   how.corners = options.keep_corners ? Corners::kept : Corners::ignored;
+  how.normalized = options.normalize;
   multiscale_bands(how.samples, how.levels);
-  Descriptor descriptor = describe(drawing_of(options.input), bank, how);
+  Descriptor descriptor = describe(drawing_of(options.input, options.points), bank, how);
   // A file's taps are found again by its path.
   if (options.filter.ends_with(".json")) descriptor.filter = options.filter;
   return descriptor;
@@ -107,7 +109,13 @@ void add_describe_command(CLI::App& app, ExitCode&) {
   command->add_flag("--interpolate", options->interpolate,
                     "The curve passes through the samples; without, they are its finest "
                     "coefficients, as in the publication");
-  command->add_flag("--keep-corners", options->keep_corners, "Place a sample on every corner");
+  CLI::Option* corners =
+      command->add_flag("--keep-corners", options->keep_corners, "Place a sample on every corner");
+  command
+      ->add_flag("--normalize", options->normalize,
+                 "Remove start, direction, rotation, size and place, contour by contour")
+      ->excludes(corners);
+  add_point_options(command, options->points);
   command->add_option("-o,--output", options->output, "File for the descriptor (JSON)");
   command->callback([options] { run_describe(*options); });
 }

@@ -21,6 +21,7 @@
 #include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/gait_table.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/terminal.hpp"
 
 namespace wavecurve::tools {
 
@@ -43,8 +44,12 @@ void fit(const FitOptions& options) {
   if (!options.models.empty()) how.models.clear();
   for (const std::string& name : options.models) how.models.push_back(gait::find_gait_model(name));
   if (!options.key_frames.empty()) how.key_frames = {options.key_frames[0], options.key_frames[1]};
-  const gait::LimbTracks tracks =
-      io::read_limb_tracks({options.tracks.begin(), options.tracks.end()}, options.reading);
+  std::vector<std::string> warnings;
+  const gait::LimbTracks tracks = io::read_limb_tracks(
+      {options.tracks.begin(), options.tracks.end()}, options.reading, &warnings);
+  for (const std::string& warning : warnings) {
+    print_message(options.tracks.front() + ": " + warning);
+  }
   const gait::GaitFit fitted = gait::fit_gait(tracks, how);
   io::write_file(options.output, io::gait_parameters_json(fitted.parameters));
   if (fitted.cycle.is_loop) fmt::print("the record ends where it begins: one cycle\n");
@@ -55,8 +60,9 @@ void add_fit(CLI::App* gait) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = gait->add_subcommand("fit", "Fit motion parameters to traced contours");
   command
-      ->add_option("TRACKS", options->tracks,
-                   "A table of contours or joints (.csv, .csv.gz), SVG frames, or a folder of them")
+      ->add_option(
+          "TRACKS", options->tracks,
+          "A table of contours or joints (.csv, .csv.gz; also DeepLabCut's and SLEAP's), SVG frames, or a folder of them")
       ->required();
   command->add_option("-o,--output", options->output, "The parameters, .json")->required();
   command->add_option("--filter", options->filter, "Filter name, or path to a JSON filter file")
@@ -73,6 +79,11 @@ void add_fit(CLI::App* gait) {
       ->add_option("--thickness", options->reading.thickness,
                    "Thickness of limbs that are given by joints, as a fraction of their length")
       ->check(number_above(0, 10, "times the length of the limb"))
+      ->capture_default_str();
+  command
+      ->add_option("--likelihood", options->reading.least_likelihood,
+                   "Points less likely are interpolated, in tables that tell it")
+      ->check(number_from(0, 1))
       ->capture_default_str();
   command
       ->add_option(

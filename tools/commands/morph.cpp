@@ -53,6 +53,7 @@ struct MorphOptions {
   std::optional<int> frames;
   double tolerance = 0;
   bool loop = false, sheet = false, rotation = false;
+  io::PointOptions points;
 };
 
 /// The two sides of the last =, since an id may hold one too.
@@ -161,7 +162,8 @@ void run_morph(const MorphOptions& options, ExitCode& exit_code) {
   check(options);
   const int frames = options.frames.value_or(options.sheet ? 12 : 60);
   const motion::MorphOptions how = morph_options(options);
-  const Drawing source = drawing_of(options.source), destination = drawing_of(options.destination);
+  const Drawing source = drawing_of(options.source, options.points),
+                destination = drawing_of(options.destination, options.points);
   const std::vector<double> taus = inner_times(frames, options.ease);
   motion::Morph morph;
   std::string text;
@@ -233,6 +235,7 @@ void add_morph_command(CLI::App& app, ExitCode& exit_code) {
       ->add_option("--start", options->starts,
                    "First point of the destination's contours in a layer: layer=17")
       ->allow_extra_args(false);
+  add_point_options(command, options->points);
   command->add_flag("--rotation", options->rotation, "Remove a rotation before points are matched");
   add_choice(command, "--crossings", options->crossings, crossings_modes,
              "report them by frame and layer, or avoid them by scales chosen from --scale on");

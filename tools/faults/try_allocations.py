@@ -45,6 +45,7 @@ COMMANDS = {
     "identify": "identify numbers.txt",
     "stiffness": "stiffness db4 --samples 32 --output K.mtx",
     "describe": "describe a.svg --samples 32 -o d.json",
+    "distance": "distance a.svg b.svg --samples 32",
     "reconstruct": "reconstruct in.json -o r.svg",
     "morph, svg": "morph a.svg b.svg --samples 32 --frames 4 -o m.svg",
     "morph, json": "morph a.svg b.svg --samples 32 --frames 4 --motion physical -o m.json",

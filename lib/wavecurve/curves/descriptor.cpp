@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/curves/detail/arc_length.hpp"
+#include "wavecurve/curves/normalized_contour.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/transform/bands.hpp"
 
@@ -19,9 +20,11 @@ LayerDescriptor describe(const Layer& layer, const FilterBank<double>& bank,
   const std::vector<Contour> contours = sample_layer(layer, options.samples, options.corners);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const Subpath& subpath = layer.subpaths[i];
-    result.contours.push_back({to_coefficients(bank, contours[i], options.levels, options.mode),
-                               subpath.closed || layer.paint.fill.has_value(),
-                               arc_length(subpath)});
+    const bool closed = subpath.closed || layer.paint.fill.has_value();
+    const Contour points = options.normalized ? normalized_contour(contours[i]) : contours[i];
+    const double unit = options.normalized ? contour_size(contours[i]) : 1;
+    result.contours.push_back({to_coefficients(bank, points, options.levels, options.mode), closed,
+                               arc_length(subpath) / unit});
   }
   return result;
 }
@@ -40,7 +43,12 @@ void check_scale(const DescriptorOptions& options, Eigen::Index scale) {
 
 Descriptor describe(const Drawing& drawing, const FilterBank<double>& bank,
                     const DescriptorOptions& options) {
+  if (options.normalized && options.corners == Corners::kept) {
+    throw std::invalid_argument("contours are normalized without keeping corners, or the reverse");
+  }
   Descriptor descriptor{bank.name, options, drawing.view_box, {}};
+  // Points are 1 from the middle in the root mean square, so few are beyond three times that.
+  if (options.normalized) descriptor.view_box = {-3, -3, 6, 6};
   for (const Layer& layer : drawing.layers) {
     descriptor.layers.push_back(describe(layer, bank, options));
   }

@@ -33,6 +33,9 @@ struct DescriptorOptions {
   int levels = 4;
   SampleMode mode = SampleMode::samples;
   Corners corners = Corners::ignored;
+  /// Each contour for itself as normalized_contour makes it, from samples uniform in arc length: then
+  /// descriptors of equal shapes are equal. Lengths are in units of the size, the view box is about 0.
+  bool normalized = false;
 };
 
 /// The wavelet descriptor of a drawing, with all that it takes to draw it again.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ TEST(ReadDrawing, ErrorsNameTheFile) {
   };
   EXPECT_EQ(refused("a.svg", ""), "the file is empty");
   EXPECT_EQ(refused("a.csv", ""), "the file is empty");
-  EXPECT_EQ(refused("a.txt", "x"), "a drawing is read from .svg or .csv");
+  EXPECT_EQ(refused("a.txt", "x"), "a drawing is read from .svg, .svgz or .csv");
   EXPECT_EQ(refused("a.svg", "<svg/>"), "nothing is painted: no path or shape");
   EXPECT_EQ(refused("a.csv", "x,y\n"), "no points");
   write_file(folder / "B.SVG", "<svg><circle r='1'/></svg>");
@@ -48,6 +49,36 @@ TEST(ReadDrawing, ErrorsNameTheFile) {
   fs::create_directories(folder / "folder.svg");
   EXPECT_THROW(read_drawing(folder / "folder.svg"), std::invalid_argument);
   fs::remove_all(folder);
+}
+
+TEST(ReadDrawing, PackedDrawingsAreUnpacked) {
+  const fs::path path =
+      fs::temp_directory_path() / ("wavecurve-packed-" + std::to_string(::getpid()) + ".svgz");
+  const auto pack = [&](const std::string& text, std::size_t times) {
+    gzFile file = gzopen(path.c_str(), "wb1");
+    for (std::size_t i = 0; i < times; ++i) {
+      gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    }
+    gzclose(file);
+  };
+  pack("<svg viewBox='0 0 9 9'><circle id='a' r='1'/></svg>", 1);
+  EXPECT_EQ(read_drawing(path).drawing.view_box, (ViewBox{0, 0, 9, 9}));
+  EXPECT_EQ(read_drawing(path.string() + "#a").drawing.layers.at(0).id, "a");
+  pack(std::string(std::size_t{1} << 20, ' '), 257);
+  EXPECT_NE(
+      test::refusal([&] { read_drawing(path); }).find("it unpacks to more than 268435456 bytes"),
+      std::string::npos);
+  fs::remove(path);
+}
+
+TEST(ReadDrawing, AMarkMayBePartOfTheName) {
+  const fs::path path =
+      fs::temp_directory_path() / ("wavecurve-mark#" + std::to_string(::getpid()) + ".svg");
+  write_file(path, "<svg><circle id='a' r='1'/><circle id='b' r='1'/></svg>");
+  EXPECT_EQ(read_drawing(path).drawing.layers.size(), 2U);
+  EXPECT_EQ(read_drawing(path.string() + "#b").drawing.layers.size(), 1U);
+  EXPECT_THROW(read_drawing(path, {.open = true}), std::invalid_argument);
+  fs::remove(path);
 }
 
 TEST(ReadDrawing, AFileThatIsTooLargeIsRefused) {

@@ -57,7 +57,7 @@ TrackTable read_table(const Path& path, const TrackOptions& options) {
   if (text.size() > largest_input) refuse(fmt::format("larger than {} bytes", largest_input));
   TrackTable table;
   try {
-    table = read_track_table(text, options.limbs);
+    table = read_track_table(text, options.limbs, options.least_likelihood);
   } catch (const std::invalid_argument& error) {
     refuse(error.what());
   }
@@ -157,7 +157,8 @@ void set_outlines(gait::LimbTrack& track, Source source, const TrackOptions& opt
 
 }  // namespace
 
-gait::LimbTracks read_limb_tracks(const std::vector<Path>& paths, const TrackOptions& options) {
+gait::LimbTracks read_limb_tracks(const std::vector<Path>& paths, const TrackOptions& options,
+                                  std::vector<std::string>* warnings) {
   if (paths.empty()) throw std::invalid_argument("0 files of tracks; at least 1 is needed");
   if (options.samples != 0) check_samples(options.samples);
   const auto refuse = [&](std::string_view defect) {
@@ -176,6 +177,7 @@ gait::LimbTracks read_limb_tracks(const std::vector<Path>& paths, const TrackOpt
       refuse(fmt::format("limb {}: {}", track.limb, error.what()));
     }
   }
+  if (warnings) warnings->insert(warnings->end(), table.warnings.begin(), table.warnings.end());
   return table.tracks;
 }
 

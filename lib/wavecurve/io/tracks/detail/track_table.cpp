@@ -11,11 +11,10 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/drawings/detail/svg/svg_length.hpp"
 #include "wavecurve/io/drawings/detail/svg/tidy_outline.hpp"
-#include "wavecurve/io/files/detail/csv.hpp"
-#include "wavecurve/io/files/detail/for_each_line.hpp"
+#include "wavecurve/io/files/detail/table_rows.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
+#include "wavecurve/io/tracks/detail/wide_table.hpp"
 
 namespace wavecurve::io {
 
@@ -28,33 +27,19 @@ template <class... Values>
   throw std::invalid_argument(fmt::format(form, std::forward<Values>(values)...));
 }
 
-/// A name as it stands, or followed by a unit.
-bool is_called(std::string_view cell, std::string_view name) {
-  if (!cell.starts_with(name)) return false;
-  const std::string_view unit = cell.substr(name.size());
-  return unit.empty() || unit == "_m" || unit == "_cm" || unit == "_mm" || unit == "_px" ||
-         unit == "_s" || unit == "_ms";
-}
-
 /// Where the columns are.
 struct Columns {
-  Columns(std::string_view header, int line) {
-    for (const char c : {'\t', ';'}) {
-      if (header.find(c) != absent) separator = c;
-    }
-    const std::string names = lower_case(header);
-    const auto cells = csv_fields(names, separator);
+  explicit Columns(const TableRow& header) : count(header.cells.size()) {
+    std::vector<std::string> names;
+    for (const std::string& cell : header.cells) names.push_back(column_name(cell));
     const auto find = [&](std::initializer_list<std::string_view> wanted) {
       for (const std::string_view name : wanted) {
-        const auto found = std::find_if(cells.begin(), cells.end(), [&](std::string_view cell) {
-          return is_called(cell, name);
-        });
-        if (found != cells.end()) return static_cast<std::size_t>(found - cells.begin());
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
       }
       return absent;
     };
-    count = cells.size();
-    frame = find({"frame"}), limb = find({"limb", "contour"}), time = find({"t"});
+    frame = find({"frame"}), limb = find({"limb", "contour"}), time = find({"t", "time"});
     k = find({"k"}), joint = find({"joint"});
     x = find({"x_treadmill", "x", "x_world"}), y = find({"y"});
     treadmill = find({"x_treadmill"}) != absent;
@@ -62,11 +47,10 @@ struct Columns {
         {frame, "frame"}, {limb, "limb"}, {std::min(k, joint), "k or joint"}, {x, "x"}, {y, "y"}};
     for (const auto& [column, name] : needed) {
       if (column == absent)
-        refuse_table("line {}: '{}' has no column {}", line, shown(header), name);
+        refuse_table("line {}: '{}' has no column {}", header.line, shown(header.text), name);
     }
   }
 
-  char separator = ',';
   std::size_t count, frame, limb, time, k, joint, x, y;
   bool treadmill;
 };
@@ -88,17 +72,16 @@ class TableReader {
  public:
   explicit TableReader(const std::vector<std::string>& wanted) : wanted_(wanted) {}
 
-  void read_line(std::string_view line, int number) {
+  void read_row(const TableRow& row) {
     if (!columns_) {
-      columns_.emplace(line, number);
+      columns_.emplace(row);
       return;
     }
-    const auto cells = csv_fields(line, columns_->separator);
-    if (cells.size() != columns_->count) {
-      refuse_table("line {}: '{}' has {} entries, the header has {}", number, shown(line),
-                   cells.size(), columns_->count);
+    if (row.cells.size() != columns_->count) {
+      refuse_table("line {}: '{}' has {} entries, the header has {}", row.line, shown(row.text),
+                   row.cells.size(), columns_->count);
     }
-    add(cells, number);
+    add(row);
   }
 
   TrackTable finish() {
@@ -120,39 +103,40 @@ class TableReader {
   }
 
  private:
-  static double number_in(std::string_view text, int line) {
-    const auto value = parse_number(text);
+  static double number_in(const TableRow& row, std::size_t column) {
+    const auto value = cell_number(row.cells[column], row.separator);
     if (!value || std::abs(*value) > largest_coordinate) {
-      refuse_table("line {}: '{}' is no number within +-{:g}", line, shown(text),
+      refuse_table("line {}: '{}' is no number within +-{:g}", row.line, shown(row.cells[column]),
                    largest_coordinate);
     }
     return *value;
   }
 
-  void add(const std::vector<std::string>& cells, int line) {
-    const std::string& name = cells[columns_->limb];
+  void add(const TableRow& row) {
+    const int line = row.line;
+    const std::string& name = row.cells[columns_->limb];
     if (name.empty()) refuse_table("line {}: the limb has no name", line);
     if (!wanted_.empty() && std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) {
       return;
     }
-    Frame& frame = frames_[number_in(cells[columns_->frame], line)];
+    Frame& frame = frames_[number_in(row, columns_->frame)];
     if (frame.line == 0) frame.line = line;
     if (columns_->time != absent) {
-      const double time = number_in(cells[columns_->time], line);
+      const double time = number_in(row, columns_->time);
       if (frame.time.value_or(time) != time) {
         refuse_table("line {}: time {} of frame {}, which is {} in line {}", line, time,
-                     cells[columns_->frame], *frame.time, frame.line);
+                     row.cells[columns_->frame], *frame.time, frame.line);
       }
       frame.time = time;
     }
     Entry entry;
     entry.line = line;
     if (columns_->k != absent) {
-      entry.k = number_in(cells[columns_->k], line);
+      entry.k = number_in(row, columns_->k);
     } else {
-      entry.joint = cells[columns_->joint];
+      entry.joint = row.cells[columns_->joint];
     }
-    entry.point = {number_in(cells[columns_->x], line), number_in(cells[columns_->y], line)};
+    entry.point = {number_in(row, columns_->x), number_in(row, columns_->y)};
     note(name, line);
     frame.limbs[name].push_back(entry);
   }
@@ -262,10 +246,16 @@ class TableReader {
 
 }  // namespace
 
-TrackTable read_track_table(std::string_view text, const std::vector<std::string>& limbs) {
-  TableReader reader(limbs);
-  for_each_line(text, [&](std::string_view line, int number) { reader.read_line(line, number); });
-  return reader.finish();
+TrackTable read_track_table(std::string_view text, const std::vector<std::string>& limbs,
+                            double least_likelihood) {
+  TableReader table(limbs);
+  WideTable wide(limbs, least_likelihood);
+  std::optional<bool> is_wide;
+  for_each_row(text, [&](const TableRow& row) {
+    if (!is_wide) is_wide = WideTable::is_header(row.cells);
+    *is_wide ? wide.read_row(row) : table.read_row(row);
+  });
+  return is_wide.value_or(false) ? wide.finish() : table.finish();
 }
 
 }  // namespace wavecurve::io

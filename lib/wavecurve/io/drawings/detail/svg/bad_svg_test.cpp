@@ -38,7 +38,10 @@ TEST(BadSvg, WhatIsNoXmlNamesTheLine) {
 }
 
 TEST(BadSvg, NothingToDraw) {
-  EXPECT_EQ(refused_body("<g/><text>a</text>"), "nothing is painted: no path or shape");
+  EXPECT_EQ(refused_body("<g/>"), "nothing is painted: no path or shape");
+  EXPECT_EQ(refused_body("<text>a</text>"),
+            "nothing is painted: text is not supported: convert it to paths");
+  EXPECT_EQ(refused_body("<image/>"), "nothing is painted: images are not supported");
   EXPECT_EQ(refused_body("<path id='p' d='M5 5'/>"), "nothing is painted: line 2: p has no length");
   EXPECT_EQ(refused_body("<path d='M5 5L5 5C5 5 5 5 5 5Z'/>"),
             "nothing is painted: line 2: path-1 has no length");
@@ -48,38 +51,82 @@ TEST(BadSvg, NothingToDraw) {
             "nothing is painted: line 2: line-1 is a line without stroke");
 }
 
-TEST(BadSvg, NumbersOutOfBoundsAreNamed) {
+TEST(BadSvg, WhatIsBrokenIsNamedWhereNothingElseIsThere) {
   EXPECT_EQ(refused_body("<path id='p' d='M0 0L1e308 1 2 2'/>"),
-            "line 2: path 'p': coordinate 1e+308 is not within +-1e+09");
+            "nothing is painted: line 2: path 'p': coordinate 1e+308 is not within +-1e+09");
   EXPECT_EQ(refused_body("<path id='p' d='M0 0LNaN 1'/>"),
-            "line 2: path 'p': no path data after 4 characters, at 'LNaN 1'");
+            "nothing is painted: line 2: path 'p': no path data after 4 characters, at 'LNaN 1'");
   EXPECT_EQ(refused_body("<path d='M0 0L1e999 1'/>"),
-            "line 2: path: no path data after 4 characters, at 'L1e999 1'");
-  EXPECT_EQ(refused_body("<path d='M0 0A1e308 1e308 0 1 1 3 3'/>"),
-            "line 2: path: an arc of radii 1e+308 and 1e+308 to (3, 3) has no centre");
+            "nothing is painted: line 2: path: no path data after 4 characters, at 'L1e999 1'");
+  EXPECT_EQ(
+      refused_body("<path d='M0 0A1e308 1e308 0 1 1 3 3'/>"),
+      "nothing is painted: line 2: path: an arc of radii 1e+308 and 1e+308 to (3, 3) has no centre");
   EXPECT_EQ(refused_body("<g transform='scale(1e200)'><path d='M0 0L1 1 2 0'/></g>"),
-            "line 2: path: coordinate 1e+200 is not within +-1e+09");
+            "nothing is painted: line 2: path: coordinate 1e+200 is not within +-1e+09");
   EXPECT_EQ(refused_body("<g transform='turn(3)'/>"),
-            "line 2: g: no transformation after 0 characters, at 'turn(3)'");
-  EXPECT_EQ(refused("<svg viewBox='0 0 -1 5'/>"),
-            "line 1: svg: viewBox '0 0 -1 5' is not four numbers up to 1e9, the last two positive");
+            "nothing is painted: line 2: g: no transformation after 0 characters, at 'turn(3)'");
+  EXPECT_EQ(
+      refused("<svg viewBox='0 0 -1 5'/>"),
+      "nothing is painted: line 1: svg: viewBox '0 0 -1 5' is not four numbers up to 1e9, the last two positive");
 }
 
-TEST(BadSvg, EntitiesAreNotExpanded) {
+TEST(BadSvg, OneBrokenElementIsNamedAndTheRestIsDrawn) {
+  const auto expect_warning = [](const std::string& element, const std::string& warning,
+                                 std::size_t layers) {
+    const DrawingFile file = test::read("\n" + element + "<rect id='sound' width='1' height='1'/>");
+    EXPECT_EQ(file.warnings, std::vector<std::string>{"line 2: " + warning}) << element;
+    EXPECT_EQ(file.drawing.layers.size(), layers) << element;
+    EXPECT_EQ(file.drawing.layers.back().id, "sound");
+  };
+  const std::string part = "; what is sound of it is drawn", none = "; it is skipped";
+  expect_warning("<path id='p' d='M10 10L90 10L90 90L-nan -nanL10 90Z'/>",
+                 "path 'p': no path data after 18 characters, at 'L-nan -nanL10 90'" + part, 2);
+  expect_warning("<path d='M10 10 L90 20 50 90 30'/>",
+                 "path: no path data after 20 characters, at '30'" + part, 2);
+  expect_warning("<path d='L5 5'/>", "path: no path data after 0 characters, at 'L5 5'" + none, 1);
+  expect_warning("<polygon points='10,10 90,10 50,90 7'/>",
+                 "polygon: no list of points after 18 characters, at '7'" + part, 2);
+  expect_warning("<circle r='-5'/>", "circle: r -5 is below 0" + none, 1);
+  expect_warning("<rect width='-5' height='5'/>", "rect: width -5 is below 0" + none, 1);
+  expect_warning("<rect width='5' height='5' rx='-1'/>", "rect: rx -1 is below 0" + part, 2);
+  expect_warning("<rect width='10vw' height='10'/>",
+                 "rect: width '10vw' is no finite length" + none, 1);
+  expect_warning("<rect width='calc(1px + 2px)' height='10'/>",
+                 "rect: width 'calc(1px + 2px)' is no finite length" + none, 1);
+  expect_warning("<path d='M0 0L1e308 1 2 2'/>",
+                 "path: coordinate 1e+308 is not within +-1e+09" + none, 1);
+  expect_warning("<svg viewBox='0 0 x'><path d='M0 0H9V9z'/></svg>",
+                 "svg: viewBox '0 0 x' is not four numbers up to 1e9, the last two positive; it is "
+                 "left out",
+                 2);
+  expect_warning("<use id='u' href='#u'/>", "use 'u': uses '#u' within itself" + none, 1);
+}
+
+TEST(BadSvg, EntitiesAreBounded) {
   std::string laughs = "<!DOCTYPE svg [\n<!ENTITY a0 'ha'>";
   for (int i = 1; i < 10; ++i) {
     laughs += "<!ENTITY a" + std::to_string(i) + " '" +
               repeated("&a" + std::to_string(i - 1) + ";", 10) + "'>";
   }
   EXPECT_EQ(refused(laughs + "]>\n<svg><path d='&a9;'/></svg>"),
-            "line 2: declares the entity a0; entities are not expanded");
+            "line 3: entities stand for more than 4194304 references and characters");
   EXPECT_EQ(refused("<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg>&a;</svg>"),
-            "line 1: declares the entity a; entities are not expanded");
+            "line 1: declares the entity a, which lies elsewhere and is not read");
   EXPECT_EQ(refused("<!DOCTYPE svg [<!ENTITY % a 'b'>]><svg/>"),
-            "line 1: declares the entity a; entities are not expanded");
-  EXPECT_EQ(refused("<!DOCTYPE svg [<!ATTLIST g d CDATA 'M0 0'>]><svg/>"),
-            "line 1: declares the attribute d of g; declarations are not used");
+            "line 1: declares the parameter entity a; only general ones are read");
   EXPECT_TRUE(refused("<svg>&a;</svg>").starts_with("line 1: not XML: "));
+}
+
+TEST(BadSvg, EntitiesAndAttributesOfTheDocumentTypeAreRead) {
+  const DrawingFile file = read_svg(
+      "<!DOCTYPE svg [<!ENTITY ns 'http://www.w3.org/2000/svg'><!ENTITY st 'fill:#ff0000;'>\n"
+      "<!ATTLIST rect width CDATA '7'>]>\n<svg xmlns='&ns;'><rect style='&st;' height='5'/></svg>");
+  EXPECT_EQ(file.warnings, std::vector<std::string>{});
+  EXPECT_EQ(file.drawing.layers.at(0).paint.fill, (Colour{1, 0, 0}));
+  EXPECT_EQ(file.drawing.view_box, (ViewBox{0, 0, 7, 5}));
+  const std::string many = repeated("<g/>", 500'001);
+  EXPECT_EQ(refused("<!DOCTYPE svg [<!ATTLIST g a CDATA '1' b CDATA '2'>]><svg>" + many + "</svg>"),
+            "line 1: more than 1000000 attributes that the document type gives");
 }
 
 TEST(BadSvg, ADocumentTypeElsewhereIsNotFetched) {
@@ -90,12 +137,14 @@ TEST(BadSvg, ADocumentTypeElsewhereIsNotFetched) {
   }
 }
 
-TEST(BadSvg, RecursionIsRefused) {
+TEST(BadSvg, RecursionIsLeftOut) {
+  const std::string nothing = "nothing is painted: ";
   EXPECT_EQ(refused_body("<g id='a'>\n<g id='b'><use href='#a'/></g></g>"),
-            "line 3: use: uses '#a' within itself");
-  EXPECT_EQ(refused_body("<use id='u' href='#u'/>"), "line 2: use 'u': uses '#u' within itself");
+            nothing + "line 3: use: uses '#a' within itself");
+  EXPECT_EQ(refused_body("<use id='u' href='#u'/>"),
+            nothing + "line 2: use 'u': uses '#u' within itself");
   EXPECT_EQ(refused_body("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"),
-            "line 2: use: uses '#b' within itself");
+            nothing + "line 2: use: uses '#a' within itself");
 }
 
 TEST(BadSvg, CopiesOfCopiesAreBounded) {

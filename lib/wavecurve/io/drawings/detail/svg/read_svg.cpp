@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "wavecurve/io/drawings/detail/svg/fit_view_box.hpp"
+#include "wavecurve/io/drawings/detail/svg/layer_names.hpp"
+#include "wavecurve/io/drawings/detail/svg/svg_clip.hpp"
+#include "wavecurve/io/drawings/detail/svg/svg_element.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_shape.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_style.hpp"
+#include "wavecurve/io/drawings/detail/svg/svg_transform.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_values.hpp"
 #include "wavecurve/io/drawings/detail/svg/tidy_outline.hpp"
 #include "wavecurve/io/files/detail/text.hpp"
@@ -19,6 +22,7 @@ namespace wavecurve::io {
 namespace {
 
 constexpr std::size_t most_layers = 100'000, most_segments = 4'000'000;
+constexpr std::size_t most_clip_steps = 20'000'000;
 constexpr int most_elements_drawn = 1'000'000;
 
 /// What holds where an element is drawn.
@@ -29,34 +33,24 @@ struct Scene {
   std::string_view use_id;  ///< of the <use> that the element is drawn for, directly
 };
 
-std::string name_of(const XmlElement& element) {
-  const std::string_view id = element.attribute("id");
-  return id.empty() ? element.name : fmt::format("{} '{}'", element.name, shown(id));
-}
-
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Draws nothing where it stands.
-bool is_never_drawn(std::string_view name) {
-  return name.empty() || is_one_of(name, {"defs", "symbol", "title", "desc", "metadata", "style",
-                                          "linearGradient", "radialGradient", "stop", "clipPath",
-                                          "mask", "marker", "pattern", "filter", "view"});
-}
-
 class SvgReader {
  public:
   explicit SvgReader(const XmlElement& root) : root_(root) { index(root); }
 
-  DrawingFile read() {
+  DrawingFile read(std::string_view id) {
     if (root_.name != "svg") {
       throw std::invalid_argument(
           fmt::format("line {}: the root element is {}, not svg", root_.line, root_.name));
     }
-    Scene scene;
-    read_view_box(scene);
-    draw(root_, scene);
+    if (id.empty()) {
+      Scene scene;
+      file_.drawing.view_box = view_box_of(root_);
+      if (file_.drawing.view_box.width == 0 && has_percentages(root_)) assume_window();
+      scene.viewport = {file_.drawing.view_box.width, file_.drawing.view_box.height};
+      draw(root_, scene);
+    } else {
+      draw_alone(id);
+    }
     if (file_.drawing.layers.empty()) {
       throw std::invalid_argument(nothing_drawn_.empty() ? "nothing is painted: no path or shape"
                                                          : "nothing is painted: " + nothing_drawn_);
@@ -70,32 +64,44 @@ class SvgReader {
   void index(const XmlElement& element) {
     if (const auto id = element.attribute("id"); !id.empty()) elements_.emplace(id, &element);
     if (element.name == "style") sheet_.add(element.text, warnings_);
+    if (element.name == "symbol" && nothing_drawn_.empty()) {
+      nothing_drawn_ = fmt::format("symbols only; FILE#{} is one", shown(element.attribute("id")));
+    }
     for (const auto& child : element.children) index(*child);
   }
 
-  void read_view_box(Scene& scene) {
-    ViewBox& box = file_.drawing.view_box;
-    at(root_, [&] {
-      if (const auto text = trimmed(root_.attribute("viewBox")); !text.empty()) {
-        box = parse_view_box(text);
-      } else {
-        // Percentages refer to a window that is not there.
-        const auto width = parse_length(root_.attribute("width"), 0);
-        const auto height = parse_length(root_.attribute("height"), 0);
-        if (width && height && *width > 0 && *height > 0) box = {0, 0, *width, *height};
-      }
-    });
-    scene.viewport = {box.width, box.height};
+  /// By the attribute, else by width and height in lengths; of no size where neither says any.
+  ViewBox view_box_of(const XmlElement& element) {
+    ViewBox box;
+    if (const auto text = trimmed(element.attribute("viewBox")); !text.empty()) {
+      if (tolerate(element, "it is left out", [&] { box = parse_view_box(text); })) return box;
+    }
+    const auto width = parse_length(element.attribute("width"), 0);
+    const auto height = parse_length(element.attribute("height"), 0);
+    if (!width || !height || !(*width > 0) || !(*height > 0)) return {};
+    return {0, 0, *width, *height};
   }
 
-  /// Adds to the messages of an action where in the file it happened.
+  /// What viewers take for the size of a window that nobody says (CSS 2, 10.3.2).
+  void assume_window() {
+    file_.drawing.view_box = {0, 0, 300, 150};
+    warnings_.add("the drawing has no size; percentages are taken of 300 by 150");
+  }
+
+  void warn(const XmlElement& element, std::string_view defect, std::string_view remedy) {
+    nothing_drawn_ = fmt::format("line {}: {}: {}", element.line, name_of(element), defect);
+    warnings_.add("line {}: {}: {}; {}", element.line, name_of(element), defect, remedy);
+  }
+
+  /// Whether an action succeeds; if not, it is said what becomes of it.
   template <typename Action>
-  void at(const XmlElement& element, const Action& action) const {
+  bool tolerate(const XmlElement& element, std::string_view remedy, const Action& action) {
     try {
       action();
+      return true;
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(
-          fmt::format("line {}: {}: {}", element.line, name_of(element), error.what()));
+      warn(element, error.what(), remedy);
+      return false;
     }
   }
   [[noreturn]] void refuse(const XmlElement& element, const std::string& defect) const {
@@ -113,7 +119,7 @@ class SvgReader {
     const StyleSource source{sheet_, elements_, warnings_};
     const double outer_opacity = scene.style.opacity;
     scene.style = style_of(element, scene.style, scene.viewport, source);
-    if (scene.style.displayed) {
+    if (scene.style.displayed && meets_conditions(element)) {
       at_transform(element, scene);
       const std::size_t first = file_.drawing.layers.size();
       draw_kind(element, scene);
@@ -121,14 +127,34 @@ class SvgReader {
           file_.drawing.layers.size() > first + 1) {
         warnings_.add("the opacity of a group is given to each of its shapes");
       }
+      clip(scene, first);
     }
     --depth_;
   }
 
-  void at_transform(const XmlElement& element, Scene& scene) const {
-    const std::string_view text = element.attribute("transform");
-    if (text.empty()) return;
-    at(element, [&] { scene.transform = scene.transform * parse_transform(text); });
+  void at_transform(const XmlElement& element, Scene& scene) {
+    tolerate(element, "it is left out", [&] {
+      scene.transform = scene.transform * transform_of(element, scene.style.own, scene.viewport);
+    });
+  }
+
+  /// The layers from `first` on by the property clip-path, which is only seen to change nothing.
+  void clip(const Scene& scene, std::size_t first) {
+    const auto property = scene.style.own.find("clip-path");
+    if (property == scene.style.own.end() || property->second == "none") return;
+    const StyleSource source{sheet_, elements_, warnings_};
+    const std::string id = referred_id(property->second);
+    const auto shapes = clip_shapes(id, scene.transform, scene.viewport, source);
+    const auto& layers = file_.drawing.layers;
+    for (std::size_t i = first; i < layers.size(); ++i) {
+      clip_steps_ += layers[i].subpaths.size();
+      for (const Subpath& subpath : layers[i].subpaths) clip_steps_ += subpath.segments.size();
+      const bool whole = clip_steps_ < most_clip_steps &&
+                         std::any_of(shapes.begin(), shapes.end(), [&](const auto& shape) {
+                           return is_within(layers[i], shape);
+                         });
+      if (!whole) return warnings_.add("what leaves the clip path '{}' is not clipped", shown(id));
+    }
   }
 
   void draw_kind(const XmlElement& element, const Scene& scene) {
@@ -138,7 +164,9 @@ class SvgReader {
       draw_use(element, scene);
     } else if (element.name == "svg" && &element != &root_) {
       draw_nested(element, scene, nullptr);
-    } else if (is_one_of(element.name, {"svg", "g", "a", "switch"})) {
+    } else if (element.name == "switch") {
+      draw_switch(element, scene);
+    } else if (element.name == "svg" || element.name == "g" || element.name == "a") {
       draw_children(element, scene);
     } else if (!is_never_drawn(element.name)) {
       warn_of_element(element);
@@ -146,16 +174,51 @@ class SvgReader {
   }
 
   void warn_of_element(const XmlElement& element) {
-    warnings_.add("the element {} is not supported", shown(element.name));
+    std::string said = fmt::format("the element {} is not supported", shown(element.name));
+    if (element.name == "text")
+      nothing_drawn_ = said = "text is not supported: convert it to paths";
+    if (element.name == "image") nothing_drawn_ = said = "images are not supported";
+    warnings_.add("{}", said);
   }
 
   void draw_children(const XmlElement& element, Scene scene) {
     scene.use_id = {};
     for (const auto& child : element.children) {
-      if (is_never_drawn(child->name)) continue;
-      draw(*child, scene);
-      if (element.name == "switch") break;  // the rest is for readers that know less
+      if (!is_never_drawn(child->name)) draw(*child, scene);
     }
+  }
+
+  /// The first child that a viewer like this one draws.
+  void draw_switch(const XmlElement& element, Scene scene) {
+    scene.use_id = {};
+    for (const auto& child : element.children) {
+      if (is_never_drawn(child->name) || child->name == "foreignObject") continue;
+      if (meets_conditions(*child)) return draw(*child, scene);
+    }
+  }
+
+  /// One element as a <use> in another file would draw it; of a symbol or view its view box is that of
+  /// the drawing.
+  void draw_alone(std::string_view id) {
+    const auto found = elements_.find(id);
+    if (found == elements_.end()) {
+      throw std::invalid_argument(fmt::format("no element has the id '{}'", shown(id)));
+    }
+    const XmlElement& element = *found->second;
+    Scene scene;
+    const bool is_view = element.name == "view", is_symbol = element.name == "symbol";
+    const ViewBox of_root = view_box_of(root_);
+    if (is_view || is_symbol || element.name == "svg")
+      file_.drawing.view_box = view_box_of(element);
+    const ViewBox& box = file_.drawing.view_box.width > 0 ? file_.drawing.view_box : of_root;
+    scene.viewport = {box.width, box.height};
+    if (is_view) return draw(root_, scene);
+    if (element.name == "svg" || is_symbol) {
+      const StyleSource source{sheet_, elements_, warnings_};
+      scene.style = style_of(element, scene.style, scene.viewport, source);
+      return draw_children(element, scene);
+    }
+    draw(element, scene);
   }
 
   void draw_use(const XmlElement& use, Scene scene) {
@@ -168,7 +231,7 @@ class SvgReader {
     }
     const XmlElement& target = *found->second;
     if (std::find(used_.begin(), used_.end(), &target) != used_.end()) {
-      refuse(use, fmt::format("uses '{}' within itself", shown(reference)));
+      return warn(use, fmt::format("uses '{}' within itself", shown(reference)), "it is skipped");
     }
     const auto coordinate = [&](std::string_view name, double hundred_percent) {
       return parse_length(use.attribute(name), hundred_percent).value_or(0);
@@ -207,11 +270,9 @@ class SvgReader {
                            size("width", outer.width), size("height", outer.height)};
     if (!(shown_at.width > 0) || !(shown_at.height > 0)) return;
     ViewBox box{0, 0, shown_at.width, shown_at.height};
-    at(element, [&] {
-      if (const auto text = trimmed(element.attribute("viewBox")); !text.empty()) {
-        box = parse_view_box(text);
-      }
-    });
+    if (const auto text = trimmed(element.attribute("viewBox")); !text.empty()) {
+      tolerate(element, "it is left out", [&] { box = parse_view_box(text); });
+    }
     const Eigen::Affine2d outside = scene.transform;
     scene.transform =
         outside * view_box_transform(box, shown_at, element.attribute("preserveAspectRatio"));
@@ -238,38 +299,39 @@ class SvgReader {
   }
 
   void draw_shape(const XmlElement& shape, const Scene& scene) {
-    const int number = ++shapes_of_name_[shape.name];
-    std::string id(scene.use_id.empty() ? shape.attribute("id") : scene.use_id);
-    const bool named = !id.empty();
-    if (!named) id = fmt::format("{}-{}", shape.name, number);
+    const LayerNames::Name name = names_.name_of(shape, scene.use_id, !used_.empty());
     const double scale = std::sqrt(std::abs(scene.transform.linear().determinant()));
-    Layer layer{id, {}, paint_of(scene.style, scale)};
+    Layer layer{name.text, {}, paint_of(scene.style, scale)};
     if (!scene.style.visible || (!layer.paint.fill && !layer.paint.stroke)) {
       nothing_drawn_ =
-          fmt::format("line {}: {} has neither fill nor stroke", shape.line, shown(id));
+          fmt::format("line {}: {} has neither fill nor stroke", shape.line, shown(name.text));
       return;
     }
     for (const auto& child : shape.children) {
       if (!is_never_drawn(child->name)) warn_of_element(*child);
     }
-    at(shape, [&] {
-      layer.subpaths = outline_of(shape, scene.viewport);
-      transform_outline(layer.subpaths, scene.transform);
-    });
+    ShapeOutline outline = outline_of(shape, scene.style.own, scene.viewport);
+    layer.subpaths = std::move(outline.subpaths);
+    const bool within_bounds = tolerate(
+        shape, "it is skipped", [&] { transform_outline(layer.subpaths, scene.transform); });
+    if (!within_bounds) return;
     if (layer.paint.stroke && layer.paint.line_cap != LineCap::butt) lengthen_dots(layer);
     std::erase_if(layer.subpaths, has_no_length);
-    if (layer.subpaths.empty()) {
-      nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, shown(id));
-      warnings_.add("line {}: {} has no length", shape.line, shown(id));
-      return;
+    if (!outline.defect.empty()) {
+      warn(shape, outline.defect,
+           layer.subpaths.empty() ? "it is skipped" : "what is sound of it is drawn");
+    } else if (layer.subpaths.empty()) {
+      nothing_drawn_ = fmt::format("line {}: {} has no length", shape.line, shown(name.text));
+      warnings_.add("line {}: {} has no length", shape.line, shown(name.text));
     }
+    if (layer.subpaths.empty()) return;
     warn_of_uneven_stroke(layer.paint, scene.transform);
     count_segments(shape, layer);
-    add(shape, std::move(layer), named, scene.style.stroke_first);
+    add(shape, std::move(layer), name, scene.style.stroke_first);
   }
 
-  /// Of a line without length the caps are painted, along the axis of x. So it is given one, too
-  /// short to be seen.
+  /// A line without length shows its caps, along the axis of x. So it is given one, too short to be
+  /// seen.
   static void lengthen_dots(Layer& layer) {
     for (Subpath& subpath : layer.subpaths) {
       if (!has_no_length(subpath) || subpath.segments.empty()) continue;
@@ -301,12 +363,12 @@ class SvgReader {
 
   /// A fill closes its subpaths, a stroke does not: together they are two layers. So they are where
   /// the stroke is painted first.
-  void add(const XmlElement& shape, Layer layer, bool named, bool stroke_first) {
+  void add(const XmlElement& shape, Layer layer, const LayerNames::Name& name, bool stroke_first) {
     const auto is_open = [](const Subpath& subpath) { return !subpath.closed; };
     const bool open = std::any_of(layer.subpaths.begin(), layer.subpaths.end(), is_open);
     const bool has_both = layer.paint.fill && layer.paint.stroke;
     if (!layer.paint.fill || (!open && !(stroke_first && has_both))) {
-      return append(std::move(layer), named);
+      return append(std::move(layer), name);
     }
     Layer stroke = layer;
     stroke.paint.fill.reset();
@@ -328,27 +390,17 @@ class SvgReader {
       warnings_.add("line {}: {} is a line without stroke", shape.line, shown(layer.id));
       return;
     }
-    if (filled && stroked) stroke.id += "-stroke";
-    if (stroked && filled && stroke_first) {
-      append(std::move(stroke), false);
-      return append(std::move(layer), named);
-    }
-    if (filled) append(std::move(layer), named);
-    if (stroked) append(std::move(stroke), named && !filled);
+    if (!filled) return append(std::move(stroke), name);
+    if (!stroked) return append(std::move(layer), name);
+    const LayerNames::Name stroke_name{name.text + "-stroke", false};
+    if (stroke_first) append(std::move(stroke), stroke_name);
+    append(std::move(layer), name);
+    if (!stroke_first) append(std::move(stroke), stroke_name);
   }
 
-  void append(Layer layer, bool named) {
-    layer.id = unique_id(layer.id, named);
+  void append(Layer layer, const LayerNames::Name& name) {
+    layer.id = names_.unique(name);
     file_.drawing.layers.push_back(std::move(layer));
-  }
-
-  /// A number is added to an id that is taken; what is made up is not one of the file either.
-  std::string unique_id(const std::string& wanted, bool named) {
-    if ((named || !elements_.contains(wanted)) && ids_.insert(wanted).second) return wanted;
-    for (int& copies = copies_[wanted];;) {
-      std::string id = fmt::format("{}-{}", wanted, ++copies + 1);
-      if (!elements_.contains(id) && ids_.insert(id).second) return id;
-    }
   }
 
   const XmlElement& root_;
@@ -357,18 +409,17 @@ class SvgReader {
   Warnings warnings_;
   DrawingFile file_;
   std::string nothing_drawn_;  ///< why the last shape that is not painted is not
-  std::map<std::string, int, std::less<>> shapes_of_name_, copies_;
-  std::set<std::string> ids_;
+  LayerNames names_{elements_};
   std::vector<const XmlElement*> used_;
-  std::size_t segments_ = 0;
+  std::size_t segments_ = 0, clip_steps_ = 0;
   int elements_drawn_ = 0, depth_ = 0;
 };
 
 }  // namespace
 
-DrawingFile read_svg(std::string_view text) {
+DrawingFile read_svg(std::string_view text, std::string_view id) {
   const auto root = read_xml(text);
-  return SvgReader(*root).read();
+  return SvgReader(*root).read(id);
 }
 
 }  // namespace wavecurve::io

@@ -145,9 +145,61 @@ TEST(ReadSvg, SymbolsAreDrawnWhereTheyAreUsedOnly) {
   EXPECT_EQ(layer_of(drawing, "r").paint.fill, (Colour{1, 0, 0}));
 }
 
-TEST(ReadSvg, SwitchDrawsItsFirst) {
-  EXPECT_EQ(test::ids_of(read("<switch><circle r='1'/>" + unit_square + "</switch>").drawing),
-            std::vector<std::string>{"circle-1"});
+TEST(ReadSvg, SwitchDrawsWhatAViewerWithoutLanguageWould) {
+  const auto ids = [](const std::string& body) {
+    return test::ids_of(read("<switch>" + body + "</switch>").drawing);
+  };
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(ids("<circle r='1'/>" + unit_square), Ids{"circle-1"});
+  EXPECT_EQ(ids("<foreignObject requiredExtensions='x'/><g><circle r='1'/></g>"), Ids{"circle-1"});
+  EXPECT_EQ(ids("<g systemLanguage='de'>" + unit_square + "</g><g systemLanguage='en'>" +
+                unit_square + "</g><circle r='1'/>"),
+            Ids{"circle-1"});
+  EXPECT_EQ(
+      test::ids_of(read("<g systemLanguage='de'>" + unit_square + "</g><circle r='1'/>").drawing),
+      Ids{"circle-1"});
+}
+
+TEST(ReadSvg, TheElementKeepsItsIdAndCopiesGetANumber) {
+  EXPECT_EQ(
+      test::ids_of(read("<use href='#r' x='50'/><rect id='r' width='3' height='3'/><use id='u' "
+                        "href='#r'/><rect id='s' width='3' height='3'/>")
+                       .drawing),
+      (std::vector<std::string>{"r-2", "r", "u", "s"}));
+}
+
+TEST(ReadSvg, InkscapesLabelsNameLayers) {
+  const DrawingFile file = read_svg(
+      "<svg xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'>"
+      "<g id='layer1' inkscape:label='Nose' inkscape:groupmode='layer'><path id='path12' d='M0 0H9V9z'/>"
+      "<path id='tip' d='M0 0H9V9z'/></g><path id='path7' inkscape:label='Left ear' d='M0 0H9V9z'/></svg>");
+  EXPECT_EQ(test::ids_of(file.drawing), (std::vector<std::string>{"Nose", "tip", "Left ear"}));
+}
+
+TEST(ReadSvg, OneElementOfASprite) {
+  const std::string sprite =
+      "<svg viewBox='0 0 99 99'><symbol id='a' viewBox='0 0 24 24'><circle r='5'/></symbol>"
+      "<g transform='scale(9)'><g id='b' transform='scale(2)'><rect id='r' width='3' height='4'/></g></g>"
+      "<view id='v' viewBox='0 0 8 8'/></svg>";
+  EXPECT_EQ(read_svg(sprite, "a").drawing.view_box, (ViewBox{0, 0, 24, 24}));
+  EXPECT_EQ(test::ids_of(read_svg(sprite, "a").drawing), std::vector<std::string>{"circle-1"});
+  const Drawing group = read_svg(sprite, "b").drawing;
+  EXPECT_EQ(test::ids_of(group), std::vector<std::string>{"r"});
+  EXPECT_EQ(group.view_box, (ViewBox{0, 0, 6, 8}));
+  EXPECT_EQ(read_svg(sprite, "v").drawing.view_box, (ViewBox{0, 0, 8, 8}));
+  EXPECT_EQ(test::refusal([&] { read_svg(sprite, "c"); }), "no element has the id 'c'");
+  EXPECT_EQ(test::refusal([] { read("<symbol id='s'><circle r='5'/></symbol>"); }),
+            "nothing is painted: symbols only; FILE#s is one");
+}
+
+TEST(ReadSvg, PercentagesWithoutAWindowAreToldOf) {
+  const DrawingFile file =
+      read_svg("<svg width='100%' height='100%'><rect x='10%' width='80%' height='80%'/></svg>");
+  EXPECT_EQ(file.drawing.view_box, (ViewBox{0, 0, 300, 150}));
+  expect_box(file.drawing.layers.at(0).subpaths, 30, 0, 270, 120);
+  EXPECT_EQ(file.warnings,
+            std::vector<std::string>{"the drawing has no size; percentages are taken of "
+                                     "300 by 150"});
 }
 
 TEST(ReadSvg, AUseOfNothingIsNamed) {

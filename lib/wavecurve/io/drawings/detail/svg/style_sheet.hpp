@@ -16,9 +16,9 @@ namespace wavecurve::io {
 /// Values by property.
 using Properties = std::map<std::string, std::string, std::less<>>;
 
-/// The rules of CSS that <style> elements give. Selectors are names, .classes, #ids and *, their
-/// compounds, and these joined as descendants or children; everything else is named in a warning
-/// and skipped.
+/// The rules of CSS that <style> elements give. Selectors are names, .classes, #ids, *, [attributes] of any
+/// comparison, :first-child, :last-child and :not() of these, their compounds, and compounds joined as
+/// descendants or children; everything else is named in a warning and skipped.
 class StyleSheet {
  public:
   void add(std::string_view css, Warnings& warnings);
@@ -32,11 +32,24 @@ class StyleSheet {
   static constexpr std::size_t most_steps = 100'000'000;
 
  private:
+  /// [name], or [name=value] with the comparison before the sign = (0 of none).
+  struct AttributeTest {
+    std::string name, value;
+    bool has_value = false;
+    char comparison = 0;
+    bool matches(const XmlElement& element) const;
+  };
   struct Compound {
     std::string name, id;
     std::vector<std::string> classes;
+    std::vector<AttributeTest> attributes;
+    std::vector<Compound> excluded;  ///< by :not()
+    bool first_child = false, last_child = false;
     bool child = false;  ///< of the compound before: else any descendant
     bool matches(const XmlElement& element) const;
+    void count(std::array<int, 3>& counts) const;
+    std::size_t parts() const;
+    std::size_t steps(const XmlElement& element) const;  ///< what its attributes take longer
   };
   struct Declaration {
     std::string property, value;
@@ -50,6 +63,9 @@ class StyleSheet {
 
   static std::vector<Declaration> declarations_of(std::string_view text);
   static bool parse_selector(std::string_view text, std::vector<Compound>& selector);
+  static bool take_compound(std::string_view& text, Compound& compound, bool in_not);
+  static bool take_attribute(std::string_view& text, Compound& compound);
+  static bool take_pseudo_class(std::string_view& text, Compound& compound, bool in_not);
   bool matches(const std::vector<Compound>& selector, const XmlElement& element) const;
   void take_steps(std::size_t count) const;
   void add_rule(std::string_view selectors, std::string_view block, Warnings& warnings);

@@ -20,10 +20,16 @@ using Eigen::Vector2d;
 /// Reads the lengths among the attributes of a shape.
 struct Lengths {
   const XmlElement& shape;
+  const Properties& properties;
+  std::string& defect;  ///< of what is left out
 
+  std::string_view text_of(std::string_view name) const {
+    const auto property = properties.find(name);
+    return trimmed(property != properties.end() ? property->second : shape.attribute(name));
+  }
   /// Nothing where the attribute is absent or `auto`.
   std::optional<double> given(std::string_view name, double hundred_percent) const {
-    const std::string_view text = trimmed(shape.attribute(name));
+    const std::string_view text = text_of(name);
     if (text.empty() || text == "auto") return std::nullopt;
     const auto value = parse_length(text, hundred_percent);
     if (!value) {
@@ -41,6 +47,13 @@ struct Lengths {
     }
     return value;
   }
+  /// A radius below 0 counts as none given.
+  std::optional<double> given_radius(std::string_view name, double hundred_percent) const {
+    const auto value = given(name, hundred_percent);
+    if (!value || *value >= 0) return value;
+    defect = fmt::format("{} {} is below 0", name, *value);
+    return std::nullopt;
+  }
 };
 
 void draw_ellipse(PathBuilder& path, const Vector2d& centre, const Vector2d& radii) {
@@ -57,8 +70,8 @@ void draw_rectangle(PathBuilder& path, const Lengths& lengths, const Viewport& v
   const Vector2d size(lengths.given_size("width", viewport.width).value_or(0),
                       lengths.given_size("height", viewport.height).value_or(0));
   if (!(size.minCoeff() > 0)) return;
-  const auto rx = lengths.given_size("rx", viewport.width);
-  const auto ry = lengths.given_size("ry", viewport.height);
+  const auto rx = lengths.given_radius("rx", viewport.width);
+  const auto ry = lengths.given_radius("ry", viewport.height);
   const Vector2d wanted(rx.value_or(ry.value_or(0)), ry.value_or(rx.value_or(0)));
   const Vector2d radii = wanted.cwiseMin(size / 2);
   const bool round = radii.minCoeff() > 0;
@@ -87,8 +100,17 @@ void draw_line(PathBuilder& path, const Lengths& lengths, const Viewport& viewpo
   path.line_to({lengths.at("x2", viewport.width), lengths.at("y2", viewport.height)});
 }
 
-void draw(PathBuilder& path, const XmlElement& shape, const Viewport& viewport) {
-  const Lengths lengths{shape};
+/// The data of path("..."), as the property d has it, or of the attribute.
+std::string_view path_data(const Lengths& lengths) {
+  std::string_view data = lengths.text_of("d");
+  if (!data.starts_with("path(")) return data;
+  data = trimmed(data.substr(5, data.rfind(')') - 5));
+  const bool quoted = data.size() > 1 && (data.front() == '"' || data.front() == '\'');
+  return quoted ? data.substr(1, data.size() - 2) : data;
+}
+
+void draw(PathBuilder& path, const Lengths& lengths, const Viewport& viewport) {
+  const XmlElement& shape = lengths.shape;
   const Vector2d centre(lengths.at("cx", viewport.width), lengths.at("cy", viewport.height));
   if (shape.name == "rect") {
     draw_rectangle(path, lengths, viewport);
@@ -96,15 +118,19 @@ void draw(PathBuilder& path, const XmlElement& shape, const Viewport& viewport) 
     const double radius = lengths.given_size("r", viewport.diagonal()).value_or(0);
     draw_ellipse(path, centre, {radius, radius});
   } else if (shape.name == "ellipse") {
-    const auto rx = lengths.given_size("rx", viewport.width);
-    const auto ry = lengths.given_size("ry", viewport.height);
+    const auto rx = lengths.given_radius("rx", viewport.width);
+    const auto ry = lengths.given_radius("ry", viewport.height);
     draw_ellipse(path, centre, {rx.value_or(ry.value_or(0)), ry.value_or(rx.value_or(0))});
   } else if (shape.name == "line") {
     draw_line(path, lengths, viewport);
   } else if (shape.name == "path") {
-    parse_path_data(shape.attribute("d"), path);
+    parse_path_data(path_data(lengths), path);
   } else {
-    parse_points(shape.attribute("points"), path);
+    try {
+      parse_points(shape.attribute("points"), path);
+    } catch (const std::invalid_argument& error) {
+      lengths.defect = error.what();
+    }
     if (shape.name == "polygon") path.close();
   }
 }
@@ -117,10 +143,17 @@ bool is_shape(const XmlElement& element) {
   return std::find(std::begin(names), std::end(names), element.name) != std::end(names);
 }
 
-std::vector<Subpath> outline_of(const XmlElement& shape, const Viewport& viewport) {
+ShapeOutline outline_of(const XmlElement& shape, const Properties& properties,
+                        const Viewport& viewport) {
   PathBuilder path;
-  draw(path, shape, viewport);
-  return path.take();
+  ShapeOutline outline;
+  try {
+    draw(path, {shape, properties, outline.defect}, viewport);
+  } catch (const std::invalid_argument& error) {
+    outline.defect = error.what();
+  }
+  outline.subpaths = path.take();
+  return outline;
 }
 
 }  // namespace wavecurve::io

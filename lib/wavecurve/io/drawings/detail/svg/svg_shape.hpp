@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "wavecurve/curves/path.hpp"
+#include "wavecurve/io/drawings/detail/svg/style_sheet.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_length.hpp"
 #include "wavecurve/io/drawings/detail/svg/xml_element.hpp"
 
@@ -11,8 +13,15 @@ namespace wavecurve::io {
 /// Whether an element draws: path, rect, circle, ellipse, line, polyline or polygon.
 bool is_shape(const XmlElement& element);
 
-/// What it draws, in its own coordinates; nothing where it has no size. Throws
-/// std::invalid_argument naming the attribute, its value and what it should be.
-std::vector<Subpath> outline_of(const XmlElement& shape, const Viewport& viewport);
+/// What a shape draws, in its own coordinates, and what is wrong with it.
+struct ShapeOutline {
+  std::vector<Subpath> subpaths;  ///< nothing where it has no size
+  std::string defect;  ///< naming the attribute, its value and what it should be, if anything
+};
+
+/// Of broken data the part before the defect is drawn, of broken sizes nothing. Lengths are those of the
+/// properties, where they are given, else of the attributes.
+ShapeOutline outline_of(const XmlElement& shape, const Properties& properties,
+                        const Viewport& viewport);
 
 }  // namespace wavecurve::io

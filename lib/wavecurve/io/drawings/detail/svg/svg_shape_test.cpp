@@ -76,13 +76,14 @@ TEST(Shape, LengthsHaveUnitsAndPercentages) {
   EXPECT_NEAR(box.sizes().y(), 4, 1e-12);
 }
 
-TEST(Shape, RefusalsNameTheAttribute) {
-  EXPECT_EQ(test::refusal([] { outline("<circle id='c' r='-3'/>"); }),
-            "line 1: circle 'c': r -3 is below 0");
-  EXPECT_EQ(test::refusal([] { outline("<rect width='nan' height='1'/>"); }),
-            "line 1: rect: width 'nan' is no finite length");
-  EXPECT_EQ(test::refusal([] { outline("<rect width='1e300' height='1'/>"); }),
-            "line 1: rect: coordinate 1e+300 is not within +-1e+09");
+TEST(Shape, WhatIsBrokenNamesTheAttribute) {
+  const auto refused = [](const char* text) { return test::refusal([&] { outline(text); }); };
+  EXPECT_EQ(refused("<circle id='c' r='-3'/>"),
+            "nothing is painted: line 1: circle 'c': r -3 is below 0");
+  EXPECT_EQ(refused("<rect width='nan' height='1'/>"),
+            "nothing is painted: line 1: rect: width 'nan' is no finite length");
+  EXPECT_EQ(refused("<rect width='1e300' height='1'/>"),
+            "nothing is painted: line 1: rect: coordinate 1e+300 is not within +-1e+09");
 }
 
 }  // namespace

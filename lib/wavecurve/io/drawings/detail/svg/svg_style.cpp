@@ -28,6 +28,7 @@ class StyleReader {
     read_stroke_width(style.stroke_width);
     read_pen(style);
     read_keywords(style);
+    read_own(style);
     warn_of_unsupported();
     return style;
   }
@@ -91,11 +92,7 @@ class StyleReader {
   void set_reference(std::string_view property, std::string_view value, PaintServer& paint,
                      const TransparentColour& current) const {
     const std::size_t end = std::min(value.find(')'), value.size());
-    std::string id;
-    for (char c : value.substr(4, end - 4)) {
-      if (c != '"' && c != '\'' && c != ' ') id += c;
-    }
-    if (id.starts_with('#')) id.erase(0, 1);
+    const std::string id = referred_id(value);
     const auto found = source_.elements.find(id);
     const auto mean =
         found == source_.elements.end() ? std::nullopt : mean_colour(*found->second, current);
@@ -208,10 +205,18 @@ class StyleReader {
     if (given("display") == "none") style.displayed = false;
   }
 
+  void read_own(Style& style) const {
+    style.own.clear();
+    for (std::string_view property : {"clip-path", "cx", "cy", "d", "height", "r", "rx", "ry",
+                                      "transform", "transform-origin", "width", "x", "y"}) {
+      if (const auto value = given(property); !value.empty()) style.own.emplace(property, value);
+    }
+  }
+
   void warn_of_unsupported() const {
     for (std::string_view property :
-         {"clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end",
-          "stroke-dasharray", "transform"}) {
+         {"mask", "filter", "marker", "marker-start", "marker-mid", "marker-end",
+          "stroke-dasharray", "rotate", "scale", "translate", "transform-box"}) {
       const std::string_view value = given(property);
       if (!value.empty() && value != "none") {
         source_.warnings.add("the property {} is not supported", property);
@@ -235,6 +240,16 @@ std::optional<Colour> resolve(const PaintServer& paint, const TransparentColour&
 }
 
 }  // namespace
+
+std::string referred_id(std::string_view value) {
+  std::string id;
+  if (!value.starts_with("url(")) return id;
+  for (const char c : value.substr(4, std::min(value.find(')'), value.size()) - 4)) {
+    if (c != '"' && c != '\'' && c != ' ') id += c;
+  }
+  if (id.starts_with('#')) id.erase(0, 1);
+  return id;
+}
 
 Style style_of(const XmlElement& element, const Style& parent, const Viewport& viewport,
                const StyleSource& source) {

@@ -38,7 +38,12 @@ struct Style {
   bool stroke_first = false;  ///< by paint-order
   bool scales_stroke = true;  ///< not by vector-effect, which is not inherited
   bool visible = true, displayed = true;
+  Properties
+      own;  ///< of the element alone: its geometry, where CSS gives it, transform, and the like
 };
+
+/// The id in a reference url(#id), in quotes or not.
+std::string referred_id(std::string_view value);
 
 /// The style of a child element. Gradients become their mean colour, with a warning; so does
 /// everything named that is not supported.

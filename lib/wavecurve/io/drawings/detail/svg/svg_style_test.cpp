@@ -214,14 +214,67 @@ TEST(Style, WhatIsNotSupportedIsNamedOnce) {
       "<text>a</text><text>b</text><image/><g filter='url(#f)' mask='url(#m)'><path " + triangle +
       " clip-path='url(#c)' stroke-dasharray='1 2' fill='blurple' opacity='x'><animate/></path>"
       "</g><title>t</title><desc/><metadata/><foreign xmlns='urn:x'/>");
-  EXPECT_EQ(file.warnings,
-            (std::vector<std::string>{
-                "the element text is not supported", "the element image is not supported",
-                "the property mask is not supported", "the property filter is not supported",
-                "the fill 'blurple' is not supported", "the opacity 'x' is not supported",
-                "the property clip-path is not supported",
-                "the property stroke-dasharray is not supported",
-                "the element animate is not supported"}));
+  EXPECT_EQ(
+      file.warnings,
+      (std::vector<std::string>{
+          "text is not supported: convert it to paths", "images are not supported",
+          "the property mask is not supported", "the property filter is not supported",
+          "the fill 'blurple' is not supported", "the opacity 'x' is not supported",
+          "the property stroke-dasharray is not supported", "the element animate is not supported",
+          "what leaves the clip path 'c' is not clipped"}));
+}
+
+TEST(Style, SelectorsOfEveryKind) {
+  const auto filled = [](const std::string& selector) {
+    const DrawingFile file =
+        test::read("<style>" + selector + "{fill:red}</style><g><path id='first' " + triangle +
+                   "/><path id='icon-a' data-x='one two' lang='de-at' " + triangle + "/></g>");
+    EXPECT_EQ(file.warnings, std::vector<std::string>{}) << selector;
+    std::string ids;
+    for (const Layer& layer : file.drawing.layers) {
+      if (layer.paint.fill == red) ids += layer.id + " ";
+    }
+    return ids;
+  };
+  EXPECT_EQ(filled("path:first-child"), "first ");
+  EXPECT_EQ(filled("path:last-child"), "icon-a ");
+  EXPECT_EQ(filled("path:not(:first-child)"), "icon-a ");
+  EXPECT_EQ(filled("path:not(#icon-a)"), "first ");
+  EXPECT_EQ(filled("[data-x]"), "icon-a ");
+  EXPECT_EQ(filled("[id=first]"), "first ");
+  EXPECT_EQ(filled("path[id=\"first\"]"), "first ");
+  EXPECT_EQ(filled("[id^='icon']"), "icon-a ");
+  EXPECT_EQ(filled("[id$='t']"), "first ");
+  EXPECT_EQ(filled("[id*='con']"), "icon-a ");
+  EXPECT_EQ(filled("[data-x~='two']"), "icon-a ");
+  EXPECT_EQ(filled("[lang|=de]"), "icon-a ");
+  EXPECT_EQ(filled("[id^='']"), "");
+  EXPECT_EQ(filled("g > [id=first], [data-x='one two']"), "first icon-a ");
+  // :not() counts as what it holds: an attribute outdoes a name.
+  EXPECT_EQ(filled("path:not([data-x])"), "first ");
+}
+
+TEST(Style, DeclarationsMayHoldComments) {
+  EXPECT_EQ(fill("style='/* a; fill:blue */fill:/* b */red'"), red);
+  EXPECT_EQ(fill("style='background:url(data:image/png;base64,a;fill:lime);fill:red'"), red);
+}
+
+TEST(Style, VariablesAndMediaAreNamed) {
+  const DrawingFile file = test::read("<style>@media print{path{fill:lime}}</style><path " +
+                                      triangle + " style='fill:var(--c)'/>");
+  EXPECT_EQ(file.drawing.layers.at(0).paint.fill, black);
+  EXPECT_EQ(file.warnings, (std::vector<std::string>{"the CSS rule @media is not supported",
+                                                     "the fill 'var(--c)' is not supported"}));
+}
+
+TEST(Style, GeometryMayBeGivenByCss) {
+  const auto box = [](const std::string& body) {
+    const auto size = test::box_of(test::only_layer(body).subpaths).sizes().eval();
+    return std::pair(std::round(size.x()), std::round(size.y()));
+  };
+  EXPECT_EQ(box("<style>circle{r:20px;cx:50px}</style><circle r='1'/>"), std::pair(40.0, 40.0));
+  EXPECT_EQ(box("<style>rect{width:30px;x:5px}</style><rect height='10'/>"), std::pair(30.0, 10.0));
+  EXPECT_EQ(box("<path style='d:path(\"M0 0H8V6z\")'/>"), std::pair(8.0, 6.0));
 }
 
 }  // namespace

@@ -145,8 +145,14 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
                                           text.substr(position, shown)));
 }
 
-/// The parser of numbers relies on exponents and fractions of sensible lengths.
-void refuse_long_numbers(std::string_view text) {
+/// The parser of numbers relies on exponents and fractions of sensible lengths. Where a number is
+/// too long, its begin, and what is wrong with it.
+struct LongNumber {
+  std::size_t begin;
+  std::string defect;
+};
+
+std::optional<LongNumber> find_long_number(std::string_view text) {
   constexpr std::size_t most_digits = 100, most_exponent_digits = 4;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_digit(text[i])) continue;
@@ -157,34 +163,92 @@ void refuse_long_numbers(std::string_view text) {
     const bool exponent =
         begin > sign && (text[begin - sign - 1] == 'e' || text[begin - sign - 1] == 'E');
     const std::size_t most = exponent ? most_exponent_digits : most_digits;
-    if (i - begin > most)
-      refuse_text(text, begin, fmt::format("more than {} digits in a row", most));
+    if (i - begin <= most) continue;
+    const std::size_t before = text.substr(0, begin).find_last_not_of("0123456789.eE+-");
+    return LongNumber{before == std::string_view::npos ? 0 : before + 1,
+                      fmt::format("more than {} digits in a row", most)};
   }
+  return std::nullopt;
 }
 
-/// The first characters, `prefix` of them, are ours and not counted.
+/// Whatever comes before the defect has been told to the events. The first characters, `prefix` of
+/// them, are ours and not counted.
 template <typename Grammar, typename Events>
 void parse(std::string_view text, Events& events, std::string_view expected,
            std::size_t prefix = 0) {
-  refuse_long_numbers(text.substr(prefix));
+  const auto too_long = find_long_number(text);
+  const std::string_view sound = text.substr(0, too_long ? too_long->begin : text.size());
   static const Grammar grammar;
-  const char* position = text.data();
-  const char* const end = text.data() + text.size();
+  const char* position = sound.data();
+  const char* const end = sound.data() + sound.size();
   namespace qi = boost::spirit::qi;
-  if (!qi::phrase_parse(position, end, grammar(boost::phoenix::ref(events)),
-                        typename Grammar::skipper_type()) ||
-      position != end) {
-    const auto reached = static_cast<std::size_t>(position - text.data());
+  const bool parsed = qi::phrase_parse(position, end, grammar(boost::phoenix::ref(events)),
+                                       typename Grammar::skipper_type());
+  const auto reached = static_cast<std::size_t>(position - sound.data());
+  if (too_long) {
+    refuse_text(text.substr(prefix), std::max(too_long->begin, prefix) - prefix, too_long->defect);
+  }
+  if (!parsed || position != end) {
     refuse_text(text.substr(prefix), std::max(reached, prefix) - prefix,
                 fmt::format("no {}", expected));
   }
 }
 
+/// The length of the number at the begin of a text, without its sign.
+std::size_t length_of_number(std::string_view text) {
+  std::size_t i = 0;
+  const auto skip_digits = [&] {
+    while (i < text.size() && is_digit(text[i])) ++i;
+  };
+  skip_digits();
+  if (i < text.size() && text[i] == '.') ++i;
+  skip_digits();
+  if (i == 0 || i >= text.size() || (text[i] != 'e' && text[i] != 'E')) return i;
+  const std::size_t sign =
+      i + 1 < text.size() && (text[i + 1] == '-' || text[i + 1] == '+') ? 1 : 0;
+  if (i + 1 + sign >= text.size() || !is_digit(text[i + 1 + sign])) return i;
+  i += 1 + sign;
+  skip_digits();
+  return i;
+}
+
+/// Path data whose arcs have lost the signs of their radii, which count for nothing (SVG 2, 9.5.1).
+std::string with_positive_radii(std::string_view text) {
+  std::string result(text);
+  bool is_arc = false;
+  int number = 0;  // of the arguments of an arc
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const bool is_sign = c == '-' || c == '+';
+    const std::size_t length = length_of_number(text.substr(i + (is_sign ? 1 : 0)));
+    if (length == 0) {
+      if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) {
+        is_arc = c == 'a' || c == 'A';
+        number = 0;
+      }
+      ++i;
+      continue;
+    }
+    const int argument = number++ % 7;
+    if (is_arc && argument < 2 && c == '-') result[i] = ' ';
+    const bool is_flag = is_arc && (argument == 3 || argument == 4);
+    i += is_flag ? 1 : length + (is_sign ? 1 : 0);
+  }
+  return result;
+}
+
 }  // namespace
 
 void parse_path_data(std::string_view text, PathBuilder& path) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin != std::string_view::npos &&
+      text.substr(begin, text.find_last_not_of(blanks) - begin + 1) == "none") {
+    return;
+  }
   PathEvents events(path);
-  parse<PathGrammar>(text, events, "path data");
+  const bool has_arcs = text.find_first_of("aA") != std::string_view::npos;
+  parse<PathGrammar>(has_arcs ? with_positive_radii(text) : std::string(text), events, "path data");
 }
 
 void parse_points(std::string_view text, PathBuilder& path) {

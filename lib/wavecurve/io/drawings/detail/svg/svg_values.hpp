@@ -11,7 +11,8 @@
 namespace wavecurve::io {
 
 /// Appends what the attribute `d` draws. Throws std::invalid_argument that names the character at
-/// which the data are no path data, or a number too long.
+/// which the data are no path data, or a number too long; what comes before it has been appended.
+/// Radii of arcs lose their signs; `none` draws nothing.
 void parse_path_data(std::string_view text, PathBuilder& path);
 
 /// Appends the points of the attribute `points`, joined by lines. Throws like parse_path_data.

@@ -84,6 +84,31 @@ TEST(PathData, DecimalsAreRoundedCorrectly) {
 
 TEST(PathData, MovesAloneLeaveNothing) { EXPECT_EQ(path_of("M1 1M2 2L3 3M4 4").size(), 1U); }
 
+TEST(PathData, RadiiOfArcsLoseTheirSigns) {
+  const auto expect_same = [](const std::string& data, const std::string& plain) {
+    const auto found = path_of(data), wanted = path_of(plain);
+    ASSERT_EQ(found.at(0).segments.size(), wanted.at(0).segments.size()) << data;
+    for (std::size_t i = 0; i < wanted[0].segments.size(); ++i) {
+      EXPECT_EQ(found[0].segments[i].control, wanted[0].segments[i].control) << data;
+    }
+  };
+  const std::string plain = "M70 50A20 20 180 0 0 30 50A20 20 180 1 0 -70 -50Z";
+  expect_same("M70 50A-20 20 180 0 0 30 50A-20-20 180 1 0-70-50Z", plain);
+  expect_same("M70 50A20-20 180 00 30 50 20,-2e1 180 10-70-50Z", plain);
+  expect_same("m70 50l-5-5a-5-5 0 015.5.5-5-5 0 01-1-1", "m70 50l-5-5a5 5 0 015.5.5 5 5 0 01-1-1");
+}
+
+TEST(PathData, WhatComesBeforeADefectIsKept) {
+  PathBuilder path;
+  EXPECT_THROW(parse_path_data("M0 0L5 5 6 6 7", path), std::invalid_argument);
+  EXPECT_THROW(parse_path_data("M0 0H5V1e99999", path), std::invalid_argument);
+  EXPECT_NO_THROW(parse_path_data(" none ", path));
+  const auto kept = path.take();
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].segments.size(), 2U);
+  EXPECT_EQ(kept[1].segments.size(), 1U);
+}
+
 TEST(PathData, RefusalsCountTheCharacters) {
   PathBuilder path;
   const auto refused = [&](const char* text) {
@@ -95,7 +120,8 @@ TEST(PathData, RefusalsCountTheCharacters) {
   EXPECT_EQ(refused("M0 0L1"), "no path data after 4 characters, at 'L1'");
   EXPECT_EQ(refused(("M0 " + std::string(101, '1')).c_str()).substr(0, 45),
             "more than 100 digits in a row after 3 charact");
-  EXPECT_EQ(refused("M0 1e-12345"), "more than 4 digits in a row after 6 characters, at '12345'");
+  EXPECT_EQ(refused("M0 1e-12345"),
+            "more than 4 digits in a row after 3 characters, at '1e-12345'");
   EXPECT_EQ(test::refusal([&] { parse_points("1,2 3", path); }),
             "no list of points after 4 characters, at '3'");
 }

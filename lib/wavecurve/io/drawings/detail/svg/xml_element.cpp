@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/io/drawings/detail/svg/xml_entities.hpp"
+
 namespace wavecurve::io {
 
 namespace {
@@ -20,7 +22,7 @@ struct TreeBuilder {
   xmlParserCtxtPtr parser = nullptr;
   std::unique_ptr<XmlElement> root;
   std::vector<XmlElement*> open;  // the elements that have not ended, each in the one before
-  int elements = 0;
+  int elements = 0, defaults = 0;
   std::exception_ptr defect;
 
   [[noreturn]] void refuse(const std::string& what) const {
@@ -46,17 +48,27 @@ std::string text_of(const xmlChar* text) {
   return text ? reinterpret_cast<const char*>(text) : std::string();
 }
 
+/// How many attributes that their elements do not have, but the document type gives them, there may be.
+constexpr int most_defaults = 1'000'000;
+
+constexpr std::string_view inkscape = "http://www.inkscape.org/namespaces/inkscape";
+
 bool is_svg(const xmlChar* uri) { return !uri || text_of(uri) == "http://www.w3.org/2000/svg"; }
 
 /// libxml2 gives an attribute as five pointers: name, prefix, namespace, begin and end of the
-/// value.
+/// value. A prefix that is not declared has no namespace, but xlink is meant as it is usual.
 void add_attributes(XmlElement& element, int count, const xmlChar** attributes) {
   for (int i = 0; i < count; ++i, attributes += 5) {
-    const bool link = text_of(attributes[2]) == "http://www.w3.org/1999/xlink";
-    if (attributes[2] && !link) continue;
+    const std::string prefix = text_of(attributes[1]), space = text_of(attributes[2]);
+    const bool link =
+        space == "http://www.w3.org/1999/xlink" || (space.empty() && prefix == "xlink");
+    const bool label = space == inkscape && text_of(attributes[0]) == "label";
+    if ((!space.empty() || !prefix.empty()) && !link && !label) continue;
     std::string value(reinterpret_cast<const char*>(attributes[3]),
                       reinterpret_cast<const char*>(attributes[4]));
-    if (link) {
+    if (label) {
+      element.attributes.insert_or_assign("inkscape:label", std::move(value));
+    } else if (link) {
       element.attributes.try_emplace(text_of(attributes[0]), std::move(value));
     } else {
       element.attributes.insert_or_assign(text_of(attributes[0]), std::move(value));
@@ -65,8 +77,13 @@ void add_attributes(XmlElement& element, int count, const xmlChar** attributes) 
 }
 
 void start_element(void* context, const xmlChar* name, const xmlChar*, const xmlChar* uri, int,
-                   const xmlChar**, int attribute_count, int, const xmlChar** attributes) {
+                   const xmlChar**, int attribute_count, int default_count,
+                   const xmlChar** attributes) {
   told(context, [&](TreeBuilder& tree) {
+    if ((tree.defaults += default_count) > most_defaults) {
+      tree.refuse(
+          fmt::format("more than {} attributes that the document type gives", most_defaults));
+    }
     if (tree.open.size() == deepest_nesting) {
       tree.refuse(fmt::format("more than {} elements in each other", deepest_nesting));
     }
@@ -97,20 +114,18 @@ void add_text(void* context, const xmlChar* text, int length) {
   });
 }
 
+/// What with_entities() has left, as in a document of other bytes than ASCII's.
 void refuse_entity(void* context, const xmlChar* name, int, const xmlChar*, const xmlChar*,
                    xmlChar*) {
   told(context, [&](const TreeBuilder& tree) {
-    tree.refuse(fmt::format("declares the entity {}; entities are not expanded", text_of(name)));
+    tree.refuse(fmt::format("declares the entity {} in a way that is not read", text_of(name)));
   });
 }
 
-void refuse_attribute(void* context, const xmlChar* element, const xmlChar* name, int, int,
-                      const xmlChar*, xmlEnumerationPtr values) {
+/// The parser itself adds the values that a declaration gives to attributes.
+void free_values(void*, const xmlChar*, const xmlChar*, int, int, const xmlChar*,
+                 xmlEnumerationPtr values) {
   xmlFreeEnumeration(values);
-  told(context, [&](const TreeBuilder& tree) {
-    tree.refuse(fmt::format("declares the attribute {} of {}; declarations are not used",
-                            text_of(name), text_of(element)));
-  });
 }
 
 xmlSAXHandler handler() {
@@ -121,7 +136,7 @@ xmlSAXHandler handler() {
   sax.characters = add_text;
   sax.cdataBlock = add_text;
   sax.entityDecl = refuse_entity;
-  sax.attributeDecl = refuse_attribute;
+  sax.attributeDecl = free_values;
   return sax;
 }
 
@@ -180,6 +195,9 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes) {
   if (bytes.empty()) throw std::invalid_argument("not XML: it is empty");
+  std::string without_entities;
+  if (bytes.find("<!ENTITY") != std::string_view::npos)
+    bytes = without_entities = with_entities(bytes);
   check_attributes(bytes);
   static const bool initialized = (xmlInitParser(), true);
   static_cast<void>(initialized);

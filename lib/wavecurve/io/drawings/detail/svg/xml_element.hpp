@@ -11,8 +11,9 @@ namespace wavecurve::io {
 /// An element of an XML document.
 struct XmlElement {
   std::string name;  ///< without prefix; empty for elements that are not of SVG
-  std::map<std::string, std::string, std::less<>> attributes;  ///< xlink:href is href
-  std::string text;                                            ///< of the element itself
+  std::map<std::string, std::string, std::less<>>
+      attributes;    ///< xlink:href is href; of other prefixes inkscape:label only
+  std::string text;  ///< of the element itself
   int line = 0;
   const XmlElement* parent = nullptr;
   std::vector<std::unique_ptr<XmlElement>> children;
@@ -25,9 +26,10 @@ struct XmlElement {
 /// (libxml2 compares every two of them).
 constexpr int deepest_nesting = 256, most_elements = 1'000'000, most_attributes = 10'000;
 
-/// The tree of a document. Nothing outside of it is read, and no entity is expanded. Throws
-/// std::invalid_argument naming the line of what is not XML, of a declared entity or attribute, or
-/// of an element too many, too deep, or with too many attributes.
+/// The tree of a document. Nothing outside of it is read; internal entities are, within their bounds
+/// (xml_entities.hpp), and so are the attributes that a document type gives to elements. Throws
+/// std::invalid_argument naming the line of what is not XML, of an entity that is refused, or of an
+/// element too many, too deep, or with too many attributes.
 std::unique_ptr<XmlElement> read_xml(std::string_view bytes);
 
 }  // namespace wavecurve::io
