@@ -1,9 +1,11 @@
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
 #include "verification/quantities/convention.hpp"
+#include "verification/quantities/integral_expression.hpp"
 #include "verification/quantities/quantity.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -13,6 +15,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     // What a quantity is called is understood as that quantity.
     const Quantity quantity = parse_quantity(text);
     if (parse_quantity(to_string(quantity)) != quantity) std::abort();
+  } catch (const std::invalid_argument&) {
+  }
+  try {
+    const auto integral = parse_integral(text);
+    if (name_of(parse_integral(to_string(integral))) != name_of(integral)) std::abort();
+  } catch (const std::invalid_argument&) {
+  }
+  try {
+    parse_interval(text);
   } catch (const std::invalid_argument&) {
   }
   try {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "verification/prints/printed_number.hpp"
+#include "verification/quantities/grammar_reader.hpp"
 #include "verification/quantities/quantity_families.hpp"
 
 namespace wavecurve::verification {
@@ -63,198 +62,97 @@ const std::vector<std::pair<std::string_view, Quantity>>& short_names() {
 constexpr std::array<std::pair<std::string_view, int>, 4> factor_suffixes{
     {{"*sqrt2", 1}, {"/sqrt2", -1}, {"*2", 2}, {"/2", -2}}};
 
-/// Plain letters for Greek ones and typographic signs, without blanks.
-std::string plain_letters(std::string_view text) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> signs{
-      {{"φ", "phi"},
-       {"ϕ", "phi"},
-       {"ψ", "psi"},
-       {"μ", "mu"},
-       {"ν", "nu"},
-       {"α", "alpha"},
-       {"′", "'"},
-       {"″", "''"},
-       {"’", "'"},
-       {"√2", "sqrt2"},
-       {"−", "-"},
-       {"∫", "int"}}};
-  std::string result;
-  while (!text.empty()) {
-    const auto sign = std::find_if(signs.begin(), signs.end(),
-                                   [&](const auto& s) { return text.starts_with(s.first); });
-    if (sign != signs.end()) {
-      result += sign->second;
-      text.remove_prefix(sign->first.size());
-    } else {
-      result += text.front();
-      text.remove_prefix(1);
-    }
-  }
-  return result;
-}
-
 /// Recursive descent over the grammar of quantity.hpp.
 class Parser {
  public:
-  explicit Parser(std::string_view text) : original_(text), text_(plain_letters(text)) {}
+  explicit Parser(std::string_view text) : reader_("quantity", text) {}
 
   Quantity parse() {
-    const bool negated = take("-");
+    const bool negated = reader_.take("-");
     Quantity result = parse_family();
     result.negated = negated;
     while (parse_suffix(result)) {
     }
-    if (!rest().empty()) refuse("a suffix such as *sqrt2 or /first, or the end");
+    if (!reader_.rest().empty()) reader_.refuse("a suffix such as *sqrt2 or /first, or the end");
     return result;
   }
 
  private:
-  std::string_view rest() {
-    while (place_ < text_.size() && text_[place_] == ' ') ++place_;
-    return std::string_view(text_).substr(place_);
-  }
-
-  bool take(std::string_view token) {
-    if (!rest().starts_with(token)) return false;
-    place_ += token.size();
-    return true;
-  }
-
-  [[noreturn]] void refuse(std::string_view expected) {
-    rest();
-    throw std::invalid_argument(
-        fmt::format("the quantity {} is not understood at column {}: expected {}",
-                    excerpt(original_), place_ + 1, expected));
-  }
-
-  void expect(std::string_view token) {
-    if (!take(token)) refuse(fmt::format("'{}'", token));
-  }
-
-  /// A name that letters or digits do not continue.
-  bool take_word(std::string_view word) {
-    const std::string_view text = rest();
-    if (!text.starts_with(word)) return false;
-    const char next = text.size() > word.size() ? text[word.size()] : ' ';
-    const bool goes_on = is_digit(next) || (next >= 'a' && next <= 'z') || next == '_';
-    if (goes_on && word.back() != '\'' && word.back() != ')') return false;
-    place_ += word.size();
-    return true;
-  }
-
   Quantity parse_family() {
-    if (take_word("int")) return parse_integral();
+    if (reader_.take_word("int")) return parse_integral();
     for (const std::string_view name : {"moment", "sobolev", "holder"}) {
-      if (take_word(name)) return parse_bracketed(name);
+      if (reader_.take_word(name)) return parse_bracketed(name);
     }
-    if (rest().starts_with("dual(p")) return of_family("value", {{parse_function(), 0}});
+    if (reader_.rest().starts_with("dual(p"))
+      return of_family("value", {{reader_.take_function(), 0}});
     const Quantity* longest = nullptr;
     std::size_t length = 0;
     for (const auto& [name, quantity] : short_names()) {
-      const std::size_t before = place_;
-      if (name.size() > length && take_word(name)) {
+      const std::size_t before = reader_.place();
+      if (name.size() > length && reader_.take_word(name)) {
         longest = &quantity;
         length = name.size();
       }
-      place_ = before;
+      reader_.go_back(before);
     }
     if (longest != nullptr) {
-      rest();
-      place_ += length;
+      reader_.rest();
+      reader_.skip(length);
       return *longest;
     }
-    if (rest().starts_with("phi") || rest().starts_with("psi")) {
-      return of_family("value", {{parse_function(), 0}});
+    if (reader_.rest().starts_with("phi") || reader_.rest().starts_with("psi")) {
+      return of_family("value", {{reader_.take_function(), 0}});
     }
-    refuse("h, g, alpha, mu, nu, r, int(..), phi, psi, moment(..), lifting or another");
+    reader_.refuse("h, g, alpha, mu, nu, r, int(..), phi, psi, moment(..), lifting or another");
   }
 
   Quantity parse_bracketed(std::string_view name) {
-    expect("(");
-    const BasisFunction f = parse_function();
-    expect(")");
+    reader_.expect("(");
+    const BasisFunction f = reader_.take_function();
+    reader_.expect(")");
     return of_family(name, {{f, 0}});
-  }
-
-  int parse_order() {
-    const std::string_view text = rest();
-    int order = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), order);
-    if (error != std::errc() || order < 0 || order > certified::highest_derivative) {
-      refuse(fmt::format("an order of a derivative from 0 to {}", certified::highest_derivative));
-    }
-    place_ += static_cast<std::size_t>(end - text.data());
-    return order;
-  }
-
-  BasisFunction parse_function() {
-    const bool dual = take("dual(");
-    BasisFunction f;
-    if (take("psi")) {
-      f.wavelet = true;
-    } else if (!take("phi")) {
-      refuse("phi or psi");
-    }
-    f.dual = take("~") || dual;
-    while (take("'")) ++f.derivative;
-    if (take("^(")) {
-      f.derivative = parse_order();
-      expect(")");
-    }
-    if (f.derivative > certified::highest_derivative) {
-      refuse(fmt::format("at most {} primes", certified::highest_derivative));
-    }
-    if (dual) expect(")");
-    return f;
   }
 
   /// The letter of a shift, numbered in order of appearance; 0 without one.
   int parse_shift(std::string& letters) {
-    if (!take("(")) return 0;
-    const std::string_view text = rest();
-    if (text.empty() || text.front() < 'a' || text.front() > 'z') refuse("a letter such as l");
-    const char letter = text.front();
-    if (letters.find(letter) != std::string::npos) refuse("a letter that is not used twice");
-    letters += letter;
-    ++place_;
-    expect(")");
+    if (!reader_.take("(")) return 0;
+    reader_.take_letter(letters);
+    reader_.expect(")");
     return static_cast<int>(letters.size());
   }
 
   Quantity parse_integral() {
     constexpr std::size_t most = 3;
-    expect("(");
+    reader_.expect("(");
     std::vector<Factor> factors;
     std::string letters;
     do {
-      if (factors.size() == most) refuse("')': integrals have two or three factors");
-      const BasisFunction f = parse_function();
+      if (factors.size() == most) reader_.refuse("')': integrals have two or three factors");
+      const BasisFunction f = reader_.take_function();
       factors.push_back({f, parse_shift(letters)});
-      take(",");
-    } while (!take(")"));
-    if (factors.size() < 2) refuse("two or three factors in an integral");
+      reader_.take(",");
+    } while (!reader_.take(")"));
+    if (factors.size() < 2) reader_.refuse("two or three factors in an integral");
     if (letters.empty()) {
       for (std::size_t i = 1; i < factors.size(); ++i) factors[i].shift = static_cast<int>(i);
     } else if (letters.size() != factors.size() - 1) {
-      refuse("shifts of all factors but one");
+      reader_.refuse("shifts of all factors but one");
     }
     return of_family("int", std::move(factors));
   }
 
   bool parse_suffix(Quantity& quantity) {
     for (const auto& [suffix, power] : factor_suffixes) {
-      if (!take(suffix)) continue;
+      if (!reader_.take(suffix)) continue;
       quantity.half_powers += power;
       return true;
     }
-    if (quantity.divided_by_first || !take("/first")) return false;
+    if (quantity.divided_by_first || !reader_.take("/first")) return false;
     quantity.divided_by_first = true;
     return true;
   }
 
-  std::string_view original_;
-  std::string text_;
-  std::size_t place_ = 0;
+  GrammarReader reader_;
 };
 
 std::string integral_text(const std::vector<Factor>& factors) {

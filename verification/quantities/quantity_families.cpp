@@ -9,12 +9,11 @@
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
+#include "wavecurve/certified/integrals/product_integrals.hpp"
 #include "wavecurve/certified/lifting.hpp"
 #include "wavecurve/certified/moments.hpp"
 #include "wavecurve/certified/point_values.hpp"
 #include "wavecurve/certified/sobolev_exponent.hpp"
-#include "wavecurve/certified/three_term_integrals.hpp"
-#include "wavecurve/certified/two_term_integrals.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 
 namespace wavecurve::verification {
@@ -100,30 +99,37 @@ std::optional<Sequence> symmetric_integrals(const FilterDefinition& definition,
   return result;
 }
 
+/// The functions in the order of their shifts.
+ProductIntegral product_of(const Factors& factors) {
+  ProductIntegral integral;
+  for (int shift = 0; shift < static_cast<int>(factors.size()); ++shift) {
+    const auto factor = std::find_if(factors.begin(), factors.end(),
+                                     [&](const Factor& f) { return f.shift == shift; });
+    integral.factors.push_back({factor->function, shift > 0});
+  }
+  return integral;
+}
+
 Sequence two_term_sequence(const FilterDefinition& definition, const Factors& factors, long bits) {
-  const bool first_stands = factors[0].shift == 0;
-  const BasisFunction f = factors[first_stands ? 0 : 1].function;
-  const BasisFunction g = factors[first_stands ? 1 : 0].function;
+  const ProductIntegral integral = product_of(factors);
+  const BasisFunction &f = integral.factors[0].function, &g = integral.factors[1].function;
   if (auto known = symmetric_integrals(definition, f, g, bits)) return *known;
-  Filter<Ball> values = certified::two_term_integrals(definition, f, g, bits);
-  const int first = values.first_index - 1, last = values.last_index() + 1;
-  return stored(std::move(values), first, last);
+  const auto values = certified::product_integrals(definition, integral, bits);
+  return stored({values.first[0], values.values}, values.first[0] - 1, values.last(0) + 1);
 }
 
 Sequence three_term_sequence(const FilterDefinition& definition, const Factors& factors,
                              long bits) {
-  std::array<BasisFunction, 3> by_shift;
-  for (const Factor& factor : factors) {
-    by_shift[static_cast<std::size_t>(factor.shift)] = factor.function;
-  }
-  const auto values = std::make_shared<const certified::ThreeTermIntegrals>(
-      certified::three_term_integrals(definition, by_shift[0], by_shift[1], by_shift[2], bits));
+  const auto values = std::make_shared<const ShiftTensor<Ball>>(
+      certified::product_integrals(definition, product_of(factors), bits));
+  const auto [first, last] =
+      std::minmax({values->first[0], values->first[1], values->last(0), values->last(1)});
   return {[values](const EntryIndex& index) {
-            return values->at(static_cast<int>(index.first), static_cast<int>(index.second));
+            return values->at({static_cast<int>(index.first), static_cast<int>(index.second)});
           },
           {},
-          values->first - 1,
-          values->last + 1};
+          first - 1,
+          last + 1};
 }
 
 Sequence integral_sequence(const FilterDefinition& definition, const Factors& factors,

@@ -23,12 +23,4 @@ Ball sobolev_exponent(const FilterDefinition& definition, const BasisFunction& f
   return sobolev_exponent(f.dual ? dual(definition) : definition) - Ball(f.derivative);
 }
 
-std::string name_of(const BasisFunction& f) {
-  constexpr int most_primes = 3;
-  std::string name = f.wavelet ? "psi" : "phi";
-  if (f.dual) name += "~";
-  if (f.derivative > most_primes) return name + "^(" + std::to_string(f.derivative) + ")";
-  return name + std::string(static_cast<std::size_t>(f.derivative), '\'');
-}
-
 }  // namespace wavecurve::certified

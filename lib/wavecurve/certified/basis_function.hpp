@@ -1,25 +1,15 @@
 #pragma once
 
-#include <string>
-
 #include "wavecurve/certified/ball.hpp"
 #include "wavecurve/certified/filter_definition.hpp"
+#include "wavecurve/filters/basis_function.hpp"
 #include "wavecurve/filters/filter.hpp"
 
 namespace wavecurve::certified {
 
-/// One of the four functions of a filter bank, or a derivative of one:
-///   phi, psi of the synthesis side, phi~, psi~ of the analysis side (filters/filter_bank.hpp).
-struct BasisFunction {
-  bool wavelet = false;  ///< psi rather than phi
-  bool dual = false;     ///< of the analysis side
-  int derivative = 0;
-
-  bool operator==(const BasisFunction&) const = default;
-};
-
-/// The highest order of a derivative that is accepted.
-inline constexpr int highest_derivative = 8;
+using wavecurve::BasisFunction;
+using wavecurve::highest_derivative;
+using wavecurve::name_of;
 
 /// The two-scale coefficients a_k of a function f, by which
 ///   f(x) = sum_k a_k s(2x - k),   a_k = sqrt 2 h_k (phi) or sqrt 2 g_k (psi),
@@ -35,8 +25,5 @@ Support support(const FilterBank<Ball>& bank, const BasisFunction& f);
 /// The Sobolev exponent of the function: that of the scaling function of its side, less the order
 /// of the derivative.
 Ball sobolev_exponent(const FilterDefinition& definition, const BasisFunction& f);
-
-/// "phi", "psi~''", "phi^(4)".
-std::string name_of(const BasisFunction& f);
 
 }  // namespace wavecurve::certified

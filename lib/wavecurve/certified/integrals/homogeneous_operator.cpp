@@ -1,0 +1,244 @@
+#include "wavecurve/certified/integrals/homogeneous_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "wavecurve/certified/basis_function.hpp"
+#include "wavecurve/certified/detail/is_accurate.hpp"
+#include "wavecurve/certified/integrals/product_integrals.hpp"
+#include "wavecurve/certified/linear_solve.hpp"
+#include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/certified/sobolev_exponent.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
+
+namespace wavecurve::certified {
+
+namespace {
+
+/// The correlation F of phi with itself.
+struct Correlation {
+  Filter<Ball> mask;          ///< c_k, k = -W .. W
+  std::vector<Ball> moments;  ///< int u^m F(u) du, m < M
+  Ball absolute_integral;     ///< at least int |F|
+  int reach() const { return mask.last_index(); }
+};
+
+/// M_p (2^p - 1) = sum_{k=1}^p binomial(p, k) m_k M_{p-k}, m_k = 1/2 sum_n n^k c_n.
+std::vector<Ball> moments_of(const Filter<Ball>& mask, int count) {
+  std::vector<Ball> discrete, result;
+  std::vector<Ball> powers = mask.taps;
+  for (int k = 0; k < count; ++k) {
+    Ball sum(0);
+    for (int n = mask.first_index; n <= mask.last_index(); ++n) {
+      Ball& power = powers[static_cast<std::size_t>(n - mask.first_index)];
+      sum += power;
+      power *= Ball(n);
+    }
+    discrete.push_back(sum / Ball(2));
+  }
+  std::vector<Ball> binomials{Ball(1)};  // the row p of Pascal's triangle
+  for (int p = 0; p < count; ++p) {
+    if (p == 0) {
+      result.push_back(Ball(1));
+      continue;
+    }
+    binomials.push_back(Ball(0));
+    for (std::size_t k = binomials.size() - 1; k > 0; --k) binomials[k] += binomials[k - 1];
+    Ball sum(0);
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(p); ++k) {
+      sum += binomials[k] * discrete[k] * result[static_cast<std::size_t>(p) - k];
+    }
+    result.push_back(sum / (Ball(Rational::power_of_two(p)) - Ball(1)));
+  }
+  return result;
+}
+
+Correlation correlation_of(const FilterBank<Ball>& bank, const Ball& norm_squared, int terms) {
+  const Filter<Ball> a = two_scale_coefficients(bank, {});
+  const int reach = a.size() - 1;
+  Correlation result;
+  result.mask.first_index = -reach;
+  for (int k = -reach; k <= reach; ++k) {
+    Ball sum(0);
+    for (int i = a.first_index; i <= a.last_index(); ++i) sum += a[i] * a[i + k];
+    result.mask.taps.push_back(sum / Ball(2));
+  }
+  result.moments = moments_of(result.mask, terms);
+  result.absolute_integral = Ball(reach) * norm_squared;
+  return result;
+}
+
+class OperatorSystem {
+ public:
+  OperatorSystem(const HomogeneousOperator& op, const Correlation& f)
+      : f_(f), order_(op.order), is_odd_(op.kind == HomogeneousOperator::Kind::hilbert) {
+    scale_ = exp(Ball(order_) * log(Ball(2)));
+    Ball coefficient;  // of K^(m)(t) / m! = coefficient t^(-s-1-m)
+    if (is_odd_) {
+      coefficient = Ball(1) / Ball::pi();
+    } else {
+      const Rational argument = -order_;
+      Ball gamma;
+      arb_gamma_fmpq(gamma.get(), argument.get(), WorkingPrecision::bits());
+      coefficient = Ball(1) / gamma;
+    }
+    for (std::size_t m = 0; m <= f.moments.size(); ++m) {
+      taylor_.push_back(coefficient);
+      const long next = static_cast<long>(m) + 1;
+      coefficient *= Ball(-order_ - Rational(next)) / Ball(next);
+    }
+  }
+
+  /// r_l for |l| <= largest, the series being used from `far` on.
+  Filter<Ball> solve(int largest, int far) const {
+    const int reach = f_.reach();
+    const int end = std::max(2 * far + reach, largest);
+    std::vector<Ball> right_side(static_cast<std::size_t>(end + 1), Ball(0));  // r_l, l >= 0
+    for (int l = end; l > reach; --l) {
+      right_side[static_cast<std::size_t>(l)] = l >= far ? series(l) : two_scale(right_side, l);
+    }
+    Filter<Ball> result{-largest, {}};
+    const Filter<Ball> middle = solve_middle(right_side);
+    for (int l = -largest; l <= largest; ++l) {
+      const Ball& beyond = right_side[static_cast<std::size_t>(std::abs(l))];
+      if (std::abs(l) <= reach) {
+        result.taps.push_back(middle[l]);
+      } else if (l > 0) {
+        result.taps.push_back(beyond);
+      } else {
+        result.taps.push_back(is_odd_ ? -beyond : Ball(0));
+      }
+    }
+    return result;
+  }
+
+ private:
+  Ball series(int l) const {
+    const Ball inverse = Ball(1) / Ball(l);
+    Ball power = exp(-(Ball(order_) + Ball(1)) * log(Ball(l)));
+    Ball sum(0);
+    for (std::size_t m = 0; m < f_.moments.size(); ++m) {
+      sum += taylor_[m] * power * f_.moments[m];
+      power *= inverse;
+    }
+    // The remainder, at the end of [l - W, l + W] where t^(-s-1-M) is largest.
+    const Ball nearest = log(Ball(l - f_.reach()));
+    const long terms = static_cast<long>(f_.moments.size());
+    const Ball steepest = exp(-(Ball(order_) + Ball(1 + terms)) * nearest);
+    const Ball remainder = abs(taylor_.back()) * steepest *
+                           pow(Ball(f_.reach()), static_cast<unsigned long>(terms)) *
+                           f_.absolute_integral;
+    arb_add_error(sum.get(), remainder.get());
+    return sum;
+  }
+
+  Ball two_scale(const std::vector<Ball>& known, int l) const {
+    Ball sum(0);
+    for (int k = -f_.reach(); k <= f_.reach(); ++k) {
+      sum += f_.mask[k] * known[static_cast<std::size_t>(2 * l + k)];
+    }
+    return scale_ * sum;
+  }
+
+  /// r_l for |l| <= W. Unknowns are those with l > 0 of an odd sequence, and those with l > -W
+  /// where K(t) vanishes for t < 0.
+  Filter<Ball> solve_middle(const std::vector<Ball>& known) const {
+    const int reach = f_.reach();
+    const int first = is_odd_ ? 1 : 1 - reach;
+    SquareMatrix<Ball> matrix(reach - first + 1);
+    std::vector<Ball> right(static_cast<std::size_t>(matrix.size()), Ball(0));
+    for (int l = first; l <= reach; ++l) {
+      const int row = l - first;
+      matrix(row, row) += Ball(1);
+      for (int k = -reach; k <= reach; ++k) {
+        const int j = 2 * l + k;
+        const Ball factor = scale_ * f_.mask[k];
+        if (j > reach) {
+          right[static_cast<std::size_t>(row)] += factor * known[static_cast<std::size_t>(j)];
+        } else if (j >= first) {
+          matrix(row, j - first) -= factor;
+        } else if (is_odd_ && j < 0) {
+          matrix(row, -j - first) += factor;
+        }
+      }
+    }
+    const auto solution = certified::solve(matrix, right);
+    if (!solution) {
+      throw std::domain_error("the two-scale system of an operator of order " + order_.to_string() +
+                              " could not be proved regular");
+    }
+    Filter<Ball> result{-reach, {}};
+    for (int l = -reach; l <= reach; ++l) {
+      if (l >= first) {
+        result.taps.push_back((*solution)[static_cast<std::size_t>(l - first)]);
+      } else if (is_odd_ && l < 0) {
+        result.taps.push_back(-(*solution)[static_cast<std::size_t>(-l - first)]);
+      } else {
+        result.taps.push_back(Ball(0));
+      }
+    }
+    return result;
+  }
+
+  const Correlation& f_;
+  Rational order_;
+  bool is_odd_;
+  Ball scale_;
+  std::vector<Ball> taylor_;
+};
+
+void check_operator(const HomogeneousOperator& op) {
+  if (op.kind == HomogeneousOperator::Kind::hilbert) {
+    if (op.order.is_zero()) return;
+    throw std::invalid_argument(
+        must_be("order of the Hilbert transform", op.order.to_string(), "0"));
+  }
+  if (fmpz_is_one(fmpq_denref(op.order.get())) && op.order.sign() >= 0) {
+    throw std::invalid_argument(fmt::format(
+        "order of a fractional derivative is {}, but must not be a whole number >= 0: the two-scale "
+        "system is singular for it; derivative:{} is computed as an integral of a product",
+        op.order.to_string(), op.order.to_string()));
+  }
+  const Rational most(highest_derivative);
+  if (op.order > most || op.order < -most) {
+    throw std::invalid_argument(must_be("order of a fractional derivative", op.order.to_string(),
+                                        fmt::format("from -{0} to {0}", highest_derivative)));
+  }
+}
+
+}  // namespace
+
+Filter<Ball> operator_coefficients(const FilterDefinition& definition,
+                                   const HomogeneousOperator& op, int largest, long bits) {
+  check_operator(op);
+  check_between("largest shift of an operator", largest, 0, largest_shift);
+  const Rational needed = std::max(op.order / Rational(2), Rational(0));
+  if (!is_proved_smoother(definition, needed)) {
+    const WorkingPrecision precision(128);
+    throw std::domain_error(fmt::format(
+        "filter {} is not smooth enough for an operator of order {}: its Sobolev exponent is {}, "
+        "needed is more than {}",
+        definition.name, op.order.to_string(),
+        round_to_digits(sobolev_exponent(definition), 4).value_or("not known well enough"),
+        round_to_digits(needed, 4)));
+  }
+  const Ball norm_squared = product_integrals(definition, {{{{}, false}, {{}}}}, bits + 64).at({0});
+  return accurate_values(definition, bits, [&](const FilterBank<Ball>&) {
+    // From 9 W on each term is an eighth of the one before: three bits.
+    const long working = WorkingPrecision::bits();
+    const int terms = static_cast<int>(working / 3) + 16;
+    // Moments grow like W^m, and the sums for them cancel.
+    const WorkingPrecision precision(working + 12L * terms);
+    const Correlation f =
+        correlation_of(definition.bank(working + 12L * terms), norm_squared, terms);
+    const Filter<Ball> result = OperatorSystem(op, f).solve(largest, 9 * f.reach() + 1);
+    return result;
+  });
+}
+
+}  // namespace wavecurve::certified
