@@ -100,13 +100,14 @@ std::vector<bool> corners(const Columns& points, Closing closing) {
   }
   const double corner_slope = tangent(corner_turn);
   std::vector<double> angles(static_cast<std::size_t>(n));
-  // The ends of a line are neither smooth nor corners: one tangent each.
+  // The ends of a line are no corners: they have one tangent each.
   const Index first = closing == Closing::open ? 1 : 0, end = n - first;
   for (Index key = 0; key < points.cols() / 2; ++key) {
     // The directions about a point are those of roundings.
     if (extent_of(points, key) <= 1e-9 * extent) continue;
     std::ranges::fill(angles, -1);  // not yet known; a bend asks for those of its neighbours
     const auto angle = [&](Index j) {
+      if (j < first || j >= end) return 0.0;
       double& known = angles[static_cast<std::size_t>(j)];
       if (known < 0) known = Turn(points, key, j).angle();
       return known;

@@ -1,5 +1,6 @@
 #include "wavecurve/curves/fit_cubics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -134,6 +135,46 @@ TEST(FitCubics, RefusesKeysThatDoNotBelongTogether) {
   EXPECT_THROW(fit_cubics({}, 0.1), std::invalid_argument);
   EXPECT_THROW(fit_cubics({Contour(0, 2)}, 0.1), std::invalid_argument);
   EXPECT_THROW(fit_cubics({square(4)}, -1), std::invalid_argument);
+}
+
+TEST(FitCubics, OfAnOpenLineEndWithItsLastPoint) {
+  // A line with a corner, and a quarter of a circle.
+  Contour corner(9, 2), arc(65, 2);
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    const auto way = static_cast<double>(i);
+    corner.row(i) << std::min(way, 4.0), std::max(0.0, way - 4);
+  }
+  for (Eigen::Index i = 0; i < 65; ++i) {
+    const double angle = std::numbers::pi / 2 * static_cast<double>(i) / 64;
+    arc.row(i) << std::cos(angle), std::sin(angle);
+  }
+  const Contour bent = fit_cubics({corner}, 1e-6, Closing::open)[0];
+  EXPECT_EQ(bent.rows() % 3, 1);
+  EXPECT_EQ(bent.row(0), corner.row(0));
+  EXPECT_EQ(bent.bottomRows(1), corner.bottomRows(1));
+  bool has_corner = false;
+  for (Eigen::Index row = 0; row < bent.rows(); row += 3) {
+    has_corner = has_corner || bent.row(row) == corner.row(4);
+  }
+  EXPECT_TRUE(has_corner);
+  for (Eigen::Index row = 0; row < bent.rows(); ++row) {
+    EXPECT_NEAR(std::min(std::abs(bent(row, 1)), std::abs(bent(row, 0) - 4)), 0, 1e-6) << row;
+  }
+  const Contour quarter = fit_cubics({arc}, 1e-3, Closing::open)[0];
+  EXPECT_LE(quarter.rows(), 13);
+  EXPECT_EQ(quarter.bottomRows(1), arc.bottomRows(1));
+  EXPECT_THROW(fit_cubics({Contour::Zero(1, 2)}, 1, Closing::open), std::invalid_argument);
+}
+
+// The directions about a point are roundings: they make no corners.
+TEST(FitCubics, OfWhatShrinksToAPointHaveFewVertices) {
+  Contour line(257, 2), point(257, 2);
+  for (Eigen::Index i = 0; i < 257; ++i) {
+    const double share = static_cast<double>(i) / 256, noise = i % 3 == 0 ? 1e-15 : -1e-15;
+    line.row(i) << 10 * share, 5 * share;
+    point.row(i) << 5 + noise, 2.5 - 2 * noise;
+  }
+  EXPECT_LE(fit_cubics({line, point}, 0.01, Closing::open)[0].rows(), 13);
 }
 
 }  // namespace

@@ -127,6 +127,25 @@ TEST(AnimatedSvg, AnimatesPaintsOnlyWhereTheyChangeAndEscapesIds) {
   EXPECT_NE(svg.find("id=\"&lt;ring&gt; &amp; &quot;hole&quot;\""), std::string::npos);
 }
 
+TEST(AnimatedSvg, ShowsExchangedLayersByTurns) {
+  const std::string svg = animated_svg(exchange_animation());
+  EXPECT_EQ(between(svg, "<path id=\""),
+            (std::vector<std::string>{"blue", "red", "blue-2", "line", "gone"}));
+  EXPECT_EQ(between(svg, " visibility=\""), (std::vector<std::string>{"hidden", "visible"}));
+  const std::string discrete = " calcMode=\"discrete\" dur=\"2s\" fill=\"freeze\" ";
+  EXPECT_NE(svg.find("attributeName=\"visibility\"" + discrete +
+                     "keyTimes=\"0;0.5;1\" values=\"hidden;visible;visible\""),
+            std::string::npos);
+  EXPECT_NE(svg.find("attributeName=\"stroke-linecap\"" + discrete +
+                     "keyTimes=\"0;0.5;1\" values=\"square;round;round\""),
+            std::string::npos);
+  // An open line is not closed, whether as a polygon or as cubics.
+  EXPECT_NE(svg.find("d=\"M60 20L80 20 80 60\""), std::string::npos);
+  OutputOptions options;
+  options.tolerance = 0.02;
+  EXPECT_NE(animated_svg(exchange_animation(), options).find(" 80 60;M60 30C"), std::string::npos);
+}
+
 TEST(AnimatedSvg, IsTheSameEachTime) {
   EXPECT_EQ(animated_svg(sample_animation()), animated_svg(sample_animation()));
 }

@@ -74,6 +74,29 @@ inline motion::Animation sample_animation() {
   return animation;
 }
 
+/// What a morph of drawings may have besides: two layers that change places half-way, an open line
+/// whose square caps become round then, a stroke that loses its width.
+inline motion::Animation exchange_animation() {
+  Paint line = stroked(0.1, 0.4, 0.1, 6), rounded = line, thick = stroked(0.4, 0, 0.4, 4);
+  line.line_cap = LineCap::square;
+  rounded.line_cap = LineCap::round;
+  Paint gone = thick;
+  gone.stroke_width = 0;
+  const Contour corner = (Contour(3, 2) << 60, 20, 80, 20, 80, 60).finished();
+  motion::Animation animation{{-10, 5, 100, 80}, 2, {}};
+  animation.layers = {{"red", {{0, {square(20, 40, 20, 64)}}}, {{0, filled(0.8, 0, 0)}}},
+                      {"blue", {{0, {square(30, 50, 20, 64)}}}, {{0, filled(0, 0, 0.8)}}},
+                      {"line",
+                       {{0, {corner}}, {2, {corner.rowwise() + Eigen::RowVector2d(0, 10)}}},
+                       {{0, line}, {1, rounded}, {2, rounded}},
+                       {true}},
+                      {"gone",
+                       {{0, {square(75, 70, 8, 64)}}, {2, {Contour::Constant(64, 2, 70)}}},
+                       {{0, thick}, {2, gone}}}};
+  animation.order = {{1, {1, 0, 2, 3}}};
+  return animation;
+}
+
 /// Coefficients of the samples, in global-to-local order.
 inline Contour coefficients_of(const Contour& samples, const FilterBank<double>& bank, int levels) {
   const PeriodicTransform<> transform(bank, samples.rows(), levels);

@@ -78,19 +78,37 @@ double intersection_over_union(const Ink& a, const Ink& b) {
 }
 
 TEST(Lottie, RlottieShowsWhatOurRasterShows) {
-  const motion::Animation animation = sample_animation();
-  for (double tolerance : {0.0, 0.02}) {
-    const std::string json = lottie(animation, options_with(tolerance));
-    for (int quarter = 0; quarter <= 4; ++quarter) {
-      const auto frame = static_cast<std::size_t>(15 * quarter);
-      const Raster own =
-          render(motion::frame_at(animation, quarter / 2.0), animation.view_box, {500, 400});
-      const double overlap =
-          intersection_over_union(rlottie_ink(json, frame, 500, 400), ink_of(own));
-      EXPECT_GE(overlap, 0.99) << "tolerance " << tolerance << ", frame " << frame;
-      RecordProperty("overlap", std::to_string(overlap));
+  for (const motion::Animation& animation : {sample_animation(), exchange_animation()}) {
+    for (double tolerance : {0.0, 0.02}) {
+      const std::string json = lottie(animation, options_with(tolerance));
+      for (int quarter = 0; quarter <= 4; ++quarter) {
+        const auto frame = static_cast<std::size_t>(15 * quarter);
+        const Raster own =
+            render(motion::frame_at(animation, quarter / 2.0), animation.view_box, {500, 400});
+        const double overlap =
+            intersection_over_union(rlottie_ink(json, frame, 500, 400), ink_of(own));
+        EXPECT_GE(overlap, 0.99) << "tolerance " << tolerance << ", frame " << frame;
+        RecordProperty("overlap", std::to_string(overlap));
+      }
     }
   }
+}
+
+TEST(Lottie, ShowsExchangedLayersByTurns) {
+  const Json json = Json::parse(lottie(exchange_animation(), options_with(0)));
+  std::vector<std::string> names;
+  for (const Json& layer : json["layers"]) names.push_back(layer["nm"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"gone", "line", "blue", "red", "blue"}));
+  const Json& first = json["layers"][2]["ks"]["o"]["k"];
+  EXPECT_EQ(first[0]["s"], Json({100}));
+  EXPECT_EQ(first[1]["t"], 30);
+  EXPECT_EQ(first[1]["s"], Json({0}));
+  EXPECT_EQ(first[1]["h"], 1);
+  EXPECT_EQ(json["layers"][4]["ks"]["o"]["k"][0]["s"], Json({0}));
+  const Json& line = json["layers"][1];
+  EXPECT_EQ(line["shapes"].size(), 2U);  // a group for each cap
+  EXPECT_EQ(items(line, "st")[0]["lc"], 3);
+  EXPECT_EQ(items(line, "sh")[0]["ks"]["k"][0]["s"][0]["c"], false);
 }
 
 TEST(Lottie, LinearMotionHasTwoKeysAndWhatRestsHasNone) {

@@ -123,7 +123,9 @@ TEST(ShapeRetrieval, AlteredOutlinesAreFoundAgain) {
     const Rates rates = retrieve(shapes, alter);
     std::printf("%s: %d by wavelets, %d by elliptic Fourier descriptors, of %d\n", name,
                 rates.wavelets, rates.fourier, rates.all);
-    if (std::string(name) == "placed") EXPECT_EQ(rates.wavelets, rates.all);
+    if (std::string(name) == "placed") {
+      EXPECT_EQ(rates.wavelets, rates.all);
+    }
     sum.wavelets += rates.wavelets, sum.fourier += rates.fourier, sum.all += rates.all;
   }
   EXPECT_GE(sum.wavelets, sum.fourier);

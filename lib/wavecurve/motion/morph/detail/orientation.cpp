@@ -147,7 +147,7 @@ std::vector<Eigen::Vector2d> middles(const Contour& contour, Index number) {
 /// Whether a contour lies on both sides of another one, though they may cross in vertices only, which
 /// are no proper crossings.
 bool lies_on_both_sides(const Contour& contour, const Contour& other) {
-  const std::vector<Eigen::Vector2d> points = middles(contour, std::min<Index>(64, contour.rows()));
+  const std::vector<Eigen::Vector2d> points = middles(contour, std::min<Index>(16, contour.rows()));
   const int first = winding_number(other, points.front());
   return std::any_of(points.begin(), points.end(), [&](const Eigen::Vector2d& point) {
     return winding_number(other, point) != first;
@@ -250,6 +250,24 @@ Orientation of_crossing(std::vector<Contour> outline, const Clusters& clusters) 
   return result;
 }
 
+/// Whether the pairs of contours whose boxes meet have few points together; each pair counts as a
+/// hundred more.
+bool is_within(const std::vector<Contour>& outline, double most_points) {
+  constexpr std::size_t most_contours = 3000;  // whose boxes are compared at once
+  if (outline.size() > most_contours) return false;
+  std::vector<Eigen::AlignedBox2d> boxes;
+  double points = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    boxes.emplace_back(outline[i].colwise().minCoeff(), outline[i].colwise().maxCoeff());
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!boxes[i].intersects(boxes[j])) continue;
+      points += static_cast<double>(outline[i].rows() + outline[j].rows() + 100);
+      if (points > most_points) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Orientation oriented(std::vector<Contour> outline, std::optional<FillRule> rule,
@@ -260,9 +278,7 @@ Orientation oriented(std::vector<Contour> outline, std::optional<FillRule> rule,
     }
     return {std::move(outline), true, true};
   }
-  double edges = 0;
-  for (const Contour& contour : outline) edges += static_cast<double>(contour.rows());
-  if (edges * static_cast<double>(outline.size()) > most_plain) {
+  if (!is_within(outline, most_plain)) {
     const std::vector<int> outside = outer_windings(outline);
     return of_disjoint(std::move(outline), outside, *rule);
   }

@@ -21,9 +21,10 @@ struct Orientation {
 ///
 /// Contours that cross themselves or each other keep their winding numbers under the nonzero rule,
 /// up to a sign that they have in common; under the evenodd rule they stay as they are, and only
-/// that rule fills them. Of more than `most_plain` pairs of a contour and an edge none are taken to
-/// cross, and a line sweeps over them: N log N operations for N points.
+/// that rule fills them. Where the pairs of contours whose boxes meet have more than `most_plain`
+/// points together, none are taken to cross, and a line sweeps over them: N log N operations for N
+/// points.
 Orientation oriented(std::vector<Contour> outline, std::optional<FillRule> rule,
-                     double most_plain = 1e8);
+                     double most_plain = 1e7);
 
 }  // namespace wavecurve::motion
