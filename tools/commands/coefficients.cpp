@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,14 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include "wavecurve/certified/certified_decimals.hpp"
+#include "wavecurve/certified/integrals/homogeneous_operator.hpp"
 #include "wavecurve/certified/moments.hpp"
 #include "wavecurve/certified/point_values.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/characters.hpp"
+#include "wavecurve/integrals/product_integral.hpp"
 #include "wavecurve/io/files/detail/csv.hpp"
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
+#include "tools/commands/coefficients_operator.hpp"
 #include "tools/commands/coefficients_quantity.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/input/number_option.hpp"
@@ -37,8 +41,10 @@ struct CoefficientsOptions {
   int digits = 40;
   std::string normalization = "none";
   std::string format = "text";
-  std::string quantity, integral;
-  int level = 0, moments = 10;
+  std::optional<std::string> quantity, integral, named_operator;
+  IntegralRange range;
+  std::optional<int> moments;
+  int level = 0, largest = 10;
 };
 
 struct Orders {
@@ -158,14 +164,28 @@ MarkupTable coefficients_as_markup(const FilterDefinition& definition,
   return table;
 }
 
+/// What is printed instead of alpha, mu and nu, if anything.
+std::optional<std::string> other_numbers(const CoefficientsOptions& options) {
+  const std::string &name = options.name, &format = options.format;
+  const int digits = options.digits;
+  constexpr int usual_moments = 10;
+  if (options.quantity) {
+    return quantity_output(name, *options.quantity,
+                           {digits, options.level, options.moments.value_or(usual_moments)},
+                           format);
+  }
+  if (options.integral)
+    return integral_output(name, *options.integral, options.range, digits, format);
+  if (options.named_operator) {
+    return operator_output(name, *options.named_operator, options.largest, digits, format);
+  }
+  if (options.moments) return moments_output(name, *options.moments, digits, format);
+  return std::nullopt;
+}
+
 void run_coefficients(const CoefficientsOptions& options) {
-  if (!options.quantity.empty() || !options.integral.empty()) {
-    const std::string text = quantity_output({options.name,
-                                              options.quantity,
-                                              options.integral,
-                                              options.format,
-                                              {options.digits, options.level, options.moments}});
-    std::fwrite(text.data(), 1, text.size(), stdout);
+  if (const auto text = other_numbers(options)) {
+    std::fwrite(text->data(), 1, text->size(), stdout);
     return;
   }
   const Orders orders = parse_orders(options.derivatives);
@@ -203,30 +223,54 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
       "Print one quantity instead, in the words of `check`:\n" + verification::quantities_help());
   CLI::Option* integral = command->add_option(
       "--integral", options->integral,
-      "The same as --quantity \"int(...)\": \"phi' phi(l) phi(m)\" is the integral of\n"
-      "phi'(x) phi(x - l) phi(x - m) for all l, m");
+      "Print the integrals of products of up to four factors: \"phi' phi(l) phi(m)\" is the integral\n"
+      "of phi'(x) phi(x - l) phi(x - m) for all l, m. Factors are phi, psi, phi~, psi~, with primes\n"
+      "or ^(p) for derivatives and (l) or (2x - l) for the shift and the level, and x^p");
   integral->excludes(quantity);
+  CLI::Option* period = command
+                            ->add_option("--period", options->range.period,
+                                         "Make the factors periodic, and integrate over one period")
+                            ->check(whole_number_from(1, most_integrals))
+                            ->needs(integral);
+  command
+      ->add_option("--on", options->range.on,
+                   "A,B: integrate from A to B, integers or dyadic points, not over the line;\n"
+                   "\"phi(l) phi'(m)\", with a letter for every factor")
+      ->needs(integral)
+      ->excludes(period);
   CLI::Option* level =
       command
           ->add_option("--level", options->level, "Values of phi and psi at the points k / 2^LEVEL")
           ->check(whole_number_from(0, certified::highest_dyadic_level))
           ->capture_default_str();
   CLI::Option* moments =
-      command->add_option("--moments", options->moments, "Highest moment of moment(...)")
-          ->check(whole_number_from(0, certified::highest_moment))
-          ->capture_default_str();
+      command
+          ->add_option(
+              "--moments", options->moments,
+              "Print moments of phi and psi up to this, the coefficients by which phi reproduces\n"
+              "polynomials, and weights of quadrature; with --quantity the highest of moment(...)")
+          ->check(whole_number_from(0, certified::highest_moment));
+  CLI::Option* named_operator = command->add_option(
+      "--operator", options->named_operator,
+      "Print int phi(x - l) (T phi)(x) dx of the operator T: hilbert, fractional:S (the derivative of\n"
+      "order S, or the integral of order -S), derivative:K");
+  command->add_option("--up-to", options->largest, "With --operator: the largest |l|")
+      ->check(whole_number_from(0, certified::largest_shift))
+      ->capture_default_str()
+      ->needs(named_operator);
   add_digits_option(*command, options->digits);
   CLI::Option* normalize = command->add_option("--normalize", options->normalization,
                                                "Divide mu and nu by their index 0");
   normalize->check(CLI::IsMember({"none", "first"}))->capture_default_str();
   add_format_option(*command, options->format, {"text", "json", "csv", "cpp", "markdown", "latex"});
   for (CLI::Option* of_sequences : {derivatives, normalize}) {
-    of_sequences->excludes(quantity, integral);
+    of_sequences->excludes(quantity, integral, moments, named_operator);
   }
+  named_operator->excludes(quantity, integral, moments);
+  integral->excludes(moments);
   command->callback([=] {
-    for (const CLI::Option* of_quantities : {level, moments}) {
-      if (of_quantities->empty() || !quantity->empty() || !integral->empty()) continue;
-      throw std::invalid_argument(of_quantities->get_name() + " takes --quantity or --integral");
+    if (!level->empty() && quantity->empty()) {
+      throw std::invalid_argument("--level takes --quantity");
     }
     run_coefficients(*options);
   });

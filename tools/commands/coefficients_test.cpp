@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cstdio>
+#include <map>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -72,6 +75,93 @@ TEST_F(CoefficientsCommand, AUsersFilterGivesWhatItsDigitsSupport) {
             Rational::from_decimal("1e-9"));
 }
 
+TEST_F(CoefficientsCommand, IntegralsHaveUpToFourFactors) {
+  const json two =
+      json::parse(wavecurve("coefficients db3 --integral \"phi' phi(l)\" --format json").out);
+  EXPECT_EQ(two["integral"], "phi' phi(l)");
+  EXPECT_TRUE(two["on"].is_null());
+  EXPECT_EQ(two["entries"].size(), 9U);
+  EXPECT_EQ(two["entries"][4]["indices"], json({0}));
+  EXPECT_EQ(two["entries"][4]["exact"], "0");
+  EXPECT_EQ(two["entries"][5]["exact"], "-272/365");
+  // 1/20 = int_0^1 x^4 (1 - x) dx of four hats
+  const json four = json::parse(
+      wavecurve(
+          "coefficients bspline2.2 --integral \"phi phi(l) phi(m) phi(n)\" --digits 20 --format json")
+          .out);
+  ASSERT_EQ(four["entries"].size(), 15U);
+  EXPECT_EQ(four["entries"][8]["indices"], json({0, 0, 1}));
+  EXPECT_EQ(four["entries"][8]["value"], "0.050000000000000000000");
+}
+
+TEST_F(CoefficientsCommand, IntegralsAreTakenOverIntervals) {
+  const json moments = json::parse(
+      wavecurve(
+          "coefficients bspline2.2 --integral \"x phi(l)\" --on 0,1/2 --digits 10 --format json")
+          .out);
+  EXPECT_EQ(moments["on"], "0,1/2");
+  ASSERT_EQ(moments["entries"].size(), 2U);  // (1 - x) and x on [0, 1/2]
+  EXPECT_EQ(moments["entries"][0]["value"], "0.08333333333");
+  EXPECT_EQ(moments["entries"][1]["value"], "0.04166666667");
+  const std::string csv =
+      wavecurve("coefficients db3 --integral \"phi(k) phi'(l)\" --on 0,1 --digits 5 --format csv")
+          .out;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 26) << csv;
+  EXPECT_NE(csv.find("\"int(phi(l), phi'(m)) on 0,1\",\"(-4, -4)\",-8.9648e-6"), std::string::npos)
+      << csv;
+}
+
+TEST_F(CoefficientsCommand, PeriodicIntegralsAreCirculant) {
+  const json entries = json::parse(
+      wavecurve("coefficients db3 --integral \"phi phi\" --period 3 --digits 10 --format json")
+          .out)["entries"];
+  ASSERT_EQ(entries.size(), 3U);
+  EXPECT_EQ(entries[0]["value"], "1.000000000");
+  EXPECT_EQ(entries[1]["value"], "0");
+}
+
+TEST_F(CoefficientsCommand, OperatorsHaveCoefficientsUpToAnyIndex) {
+  const json half = json::parse(
+      wavecurve("coefficients db3 --operator fractional:1/2 --up-to 30 --digits 8 --format json")
+          .out);
+  EXPECT_EQ(half["operator"], "fractional:1/2");
+  ASSERT_EQ(half["entries"].size(), 61U);
+  EXPECT_EQ(half["entries"][30]["indices"], json({0}));
+  EXPECT_EQ(half["entries"][30]["value"], "0.86541702");
+  EXPECT_EQ(half["entries"][0]["exact"], "0");
+  const std::string first =
+      wavecurve("coefficients db3 --operator derivative:1 --digits 8 --format csv").out;
+  EXPECT_NE(first.find("272/365"), std::string::npos);
+  const std::string whole =
+      wavecurve("coefficients db3 --operator fractional:1 --digits 8 --format csv").out;
+  EXPECT_NE(whole.find("272/365"), std::string::npos);
+  const std::string hilbert =
+      wavecurve("coefficients db6 --operator hilbert --up-to 1 --digits 9").out;
+  EXPECT_NE(hilbert.find("0.588303698"), std::string::npos) << hilbert;
+}
+
+TEST_F(CoefficientsCommand, MomentsComeWithReproductionAndQuadrature) {
+  const json document =
+      json::parse(wavecurve("coefficients cdf9.7 --moments 3 --digits 12 --format json").out);
+  EXPECT_EQ(document["moments"], 3);
+  std::map<std::string, int> counts;
+  for (const auto& entry : document["entries"]) ++counts[entry["quantity"].get<std::string>()];
+  EXPECT_EQ(counts, (std::map<std::string, int>{{"moment(phi)", 4},
+                                                {"moment(psi)", 4},
+                                                {"moment(phi~)", 4},
+                                                {"moment(psi~)", 4},
+                                                {"reproduction(phi)", 4},
+                                                {"weight(phi)", 4}}));
+  io::write_file(folder_ / "m.hpp", wavecurve("coefficients cdf9.7 --moments 3 --format cpp").out);
+  io::write_file(
+      folder_ / "m.cpp",
+      "#include \"m.hpp\"\nstatic_assert(wavecurve_tables::cdf9_7::moment_phi_dual[0] == 1);\n");
+  EXPECT_EQ(run("c++ -std=c++17 -Wall -Wextra -Werror -fsyntax-only '" +
+                (folder_ / "m.cpp").string() + "'")
+                .exit_code,
+            0);
+}
+
 TEST_F(CoefficientsCommand, TheHeaderCompiles) {
   io::write_file(folder_ / "c.hpp", wavecurve("coefficients bspline4.4 --format cpp").out);
   io::write_file(folder_ / "main.cpp",
@@ -92,6 +182,24 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --derivatives 9,0", "must be from 0 to 8");
   expect_refusal("coefficients db4 --derivatives 0,1 --normalize first", "index 0 is zero");
   expect_refusal("coefficients db4 --normalize second", "--normalize");
+  expect_refusal("coefficients db4 --integral \"phi ph(l)\"", "at column 5");
+  expect_refusal("coefficients db4 --integral \"\"", "at column 1");
+  expect_refusal("coefficients db4 --integral \"phi phi phi phi phi\"", "at most 4 factors");
+  expect_refusal("coefficients db2 --integral \"phi' phi' phi\"", "needed is more than 1.0");
+  expect_refusal("coefficients db4 --integral \"phi phi\" --on 1,0", "from 1 to 0 is reversed");
+  expect_refusal("coefficients db4 --integral \"phi phi\" --on 0,1/3", "multiples of 1/1024");
+  expect_refusal("coefficients db4 --integral \"phi phi\" --on \"\"", "the interval is ''");
+  expect_refusal("coefficients db38 --integral \"phi phi' phi''\"", "number of unknown integrals");
+  expect_refusal("coefficients db4 --on 0,1", "--on requires --integral");
+  expect_refusal("coefficients db4 --integral \"x phi phi\" --period 4",
+                 "periodic factors take neither");
+  expect_refusal("coefficients db4 --integral \"phi phi phi phi\" --period 4000",
+                 "number of integrals");
+  expect_refusal("coefficients db4 --operator laplace", "hilbert, fractional:S");
+  expect_refusal("coefficients db4 --operator fractional:x", "hilbert, fractional:S");
+  expect_refusal("coefficients db4 --operator derivative:9", "from 0 to 8");
+  expect_refusal("coefficients db2 --operator fractional:2.5", "needed is more than 1.25");
+  expect_refusal("coefficients db4 --level 3", "--level takes --quantity");
 }
 
 }  // namespace
