@@ -52,15 +52,13 @@ motion::Animation physical(const motion::Morph& morph, const dynamics::Material&
 /// The linear one with a key for every frame, as the others have.
 motion::Animation linear(const motion::Morph& morph, int frames) {
   const motion::Animation straight = motion::animate(morph);
-  motion::Animation result{straight.view_box, straight.duration, {}};
-  for (const motion::AnimatedLayer& layer : straight.layers) {
-    result.layers.push_back({layer.id, {}, layer.paint});
-  }
-  for (int i = 0; i < frames; ++i) {
-    const double time = straight.duration * i / (frames - 1);
-    std::vector<motion::FrameLayer> frame = motion::frame_at(straight, time);
-    for (std::size_t k = 0; k < frame.size(); ++k) {
-      result.layers[k].outline.push_back({time, std::move(frame[k].contours)});
+  motion::Animation result = straight;
+  for (std::size_t k = 0; k < straight.layers.size(); ++k) {
+    result.layers[k].outline.clear();
+    for (int i = 0; i < frames; ++i) {
+      const double time = straight.duration * i / (frames - 1);
+      result.layers[k].outline.push_back(
+          {time, motion::layer_at(straight.layers[k], time).contours});
     }
   }
   return result;
