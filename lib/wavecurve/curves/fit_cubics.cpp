@@ -86,25 +86,41 @@ struct Turn {
   double sine, cosine;  ///< times the lengths of the edges
 };
 
-double extent_of(const Columns& points, Index key) {
-  const auto outline = points.middleCols<2>(2 * key);
-  return (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).maxCoeff();
+/// The longer side of the box about a key.
+double extent(const Columns& points, Index key) {
+  const auto side = [&](Index i) { return points.col(i).maxCoeff() - points.col(i).minCoeff(); };
+  return std::max(side(2 * key), side(2 * key + 1));
 }
+
+/// Which keys are a point but for rounding, so that directions about it mean nothing. Asked for
+/// where there may be a corner, and computed only then.
+class PointKeys {
+ public:
+  explicit PointKeys(const Columns& points) : points_(points) {}
+
+  bool operator()(Index key) {
+    if (extents_.empty()) {
+      for (Index k = 0; k < points_.cols() / 2; ++k) extents_.push_back(extent(points_, k));
+      largest_ = *std::ranges::max_element(extents_);
+    }
+    return extents_[static_cast<std::size_t>(key)] <= 1e-9 * largest_;
+  }
+
+ private:
+  const Columns& points_;
+  std::vector<double> extents_;
+  double largest_ = 0;
+};
 
 std::vector<bool> corners(const Columns& points, Closing closing) {
   const Index n = points.rows();
   std::vector<bool> corner(static_cast<std::size_t>(n), false);
-  double extent = 0;
-  for (Index key = 0; key < points.cols() / 2; ++key) {
-    extent = std::max(extent, extent_of(points, key));
-  }
+  PointKeys is_point(points);
   const double corner_slope = tangent(corner_turn);
   std::vector<double> angles(static_cast<std::size_t>(n));
   // The ends of a line are no corners: they have one tangent each.
   const Index first = closing == Closing::open ? 1 : 0, end = n - first;
   for (Index key = 0; key < points.cols() / 2; ++key) {
-    // The directions about a point are those of roundings.
-    if (extent_of(points, key) <= 1e-9 * extent) continue;
     std::ranges::fill(angles, -1);  // not yet known; a bend asks for those of its neighbours
     const auto angle = [&](Index j) {
       if (j < first || j >= end) return 0.0;
@@ -114,6 +130,7 @@ std::vector<bool> corners(const Columns& points, Closing closing) {
     };
     for (Index j = first; j < end; ++j) {
       if (!Turn(points, key, j).may_be_corner(corner_slope)) continue;
+      if (is_point(key)) break;
       const double beside = (angle((j + n - 1) % n) + angle((j + 1) % n)) / 2;
       if (angle(j) - beside > corner_turn) corner[static_cast<std::size_t>(j)] = true;
     }
@@ -174,7 +191,10 @@ Columns tangents(const Columns& points, const Knots& knots, const TangentIndex& 
   }
   Eigen::SparseMatrix<double> normal(index.count, index.count);
   normal.setFromTriplets(entries.begin(), entries.end());
-  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(right);
+  // Neighbours on the contour are neighbours in the matrix: only its last row fills in, in this order.
+  using Solver =
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  return Solver(normal).solve(right);
 }
 
 /// Three rows a vertex, see the header.
