@@ -185,7 +185,7 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --integral \"phi ph(l)\"", "at column 5");
   expect_refusal("coefficients db4 --integral \"\"", "at column 1");
   expect_refusal("coefficients db4 --integral \"phi phi phi phi phi\"", "at most 4 factors");
-  expect_refusal("coefficients db2 --integral \"phi' phi' phi\"", "needed is more than 1.0");
+  expect_refusal("coefficients db2 --integral \"phi' phi' phi\"", "but it must exceed 1.0");
   expect_refusal("coefficients db4 --integral \"phi phi\" --on 1,0", "from 1 to 0 is reversed");
   expect_refusal("coefficients db4 --integral \"phi phi\" --on 0,1/3", "multiples of 1/1024");
   expect_refusal("coefficients db4 --integral \"phi phi\" --on \"\"", "the interval is ''");
@@ -198,7 +198,7 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --operator laplace", "hilbert, fractional:S");
   expect_refusal("coefficients db4 --operator fractional:x", "hilbert, fractional:S");
   expect_refusal("coefficients db4 --operator derivative:9", "from 0 to 8");
-  expect_refusal("coefficients db2 --operator fractional:2.5", "needed is more than 1.25");
+  expect_refusal("coefficients db2 --operator fractional:2.5", "but it must exceed 1.25");
   expect_refusal("coefficients db4 --level 3", "--level takes --quantity");
 }
 

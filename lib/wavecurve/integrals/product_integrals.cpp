@@ -20,7 +20,7 @@ Filter<double> times_root_two(Filter<double> taps) {
   return taps;
 }
 
-/// Of phi~ the exponent is not known here.
+/// The exponent of phi~ is not known here.
 void require_known_existence(const FilterBank<double>& bank, const ProductIntegral& integral) {
   const bool is_moment = integral.factors.size() == 1 && !integral.interval;
   for (const IntegralFactor& factor : integral.factors) {
@@ -30,7 +30,7 @@ void require_known_existence(const FilterBank<double>& bank, const ProductIntegr
   const double needed = static_cast<double>(numerator) / denominator;
   if (!(bank.sobolev_exponent <= needed)) return;
   throw std::domain_error(fmt::format(
-      "filter {} is not smooth enough for {}: its Sobolev exponent is {:.4g}, needed is more than "
+      "filter {} is not smooth enough for {}: its Sobolev exponent is {:.4g}, but it must exceed "
       "{:.4g}",
       bank.name, name_of(integral), bank.sobolev_exponent, needed));
 }

@@ -66,7 +66,7 @@ void require_existence(const FilterDefinition& definition, const ProductIntegral
   const Rational needed(numerator, denominator);
   if (is_proved_smoother(side, needed)) return;
   throw std::domain_error(fmt::format(
-      "filter {} is not smooth enough for {}: its Sobolev exponent is {}, needed is more than {}{}",
+      "filter {} is not smooth enough for {}: its Sobolev exponent is {}, but it must exceed {}{}",
       definition.name, name_of(integral), exponent_text(sobolev_exponent(side)),
       round_to_digits(needed, shown_digits),
       factors.size() == 2 && !interval ? "" : " (a sufficient condition)"));

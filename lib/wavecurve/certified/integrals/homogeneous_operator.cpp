@@ -222,7 +222,7 @@ Filter<Ball> operator_coefficients(const FilterDefinition& definition,
     const WorkingPrecision precision(128);
     throw std::domain_error(fmt::format(
         "filter {} is not smooth enough for an operator of order {}: its Sobolev exponent is {}, "
-        "needed is more than {}",
+        "but it must exceed {}",
         definition.name, op.order.to_string(),
         round_to_digits(sobolev_exponent(definition), 4).value_or("not known well enough"),
         round_to_digits(needed, 4)));

@@ -119,7 +119,7 @@ TEST(HomogeneousOperator, RefusesWhatHasNoUniqueSolution) {
   EXPECT_NE(refusal("db3", {fractional, Rational(2)}).find("the two-scale system is singular"),
             std::string::npos);
   EXPECT_NE(refusal("db2", {fractional, Rational(5, 2)})
-                .find("its Sobolev exponent is 1.000, needed is more than 1.25"),
+                .find("its Sobolev exponent is 1.000, but it must exceed 1.25"),
             std::string::npos);
   EXPECT_NE(refusal("db3", {fractional, Rational(17, 2)}).find("from -8 to 8"), std::string::npos);
   EXPECT_NE(refusal("db3", {hilbert, Rational(1)}).find("must be 0"), std::string::npos);

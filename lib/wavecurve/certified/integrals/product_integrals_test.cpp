@@ -343,11 +343,11 @@ TEST(ProductIntegrals, RefuseWhatIsNotKnownToExist) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   contains(refusal("db2", over_line({slope, derived(psi, 1)})),
-           "its Sobolev exponent is 1.000, needed is more than 1.0");
-  contains(refusal("db2", over_line({slope, slope, phi})), "needed is more than 1.0");
-  // Of phi' alone on an interval half a derivative less is enough.
-  contains(refusal("db1", over({0, 1, 0}, {slope})), "needed is more than 0.5");
-  contains(refusal("db2", over({0, 1, 0}, {derived(phi, 2), phi})), "needed is more than 1.5");
+           "its Sobolev exponent is 1.000, but it must exceed 1.0");
+  contains(refusal("db2", over_line({slope, slope, phi})), "but it must exceed 1.0");
+  // For phi' alone on an interval, half a derivative less is enough.
+  contains(refusal("db1", over({0, 1, 0}, {slope})), "but it must exceed 0.5");
+  contains(refusal("db2", over({0, 1, 0}, {derived(phi, 2), phi})), "but it must exceed 1.5");
   contains(refusal("bspline3.1", over_line({phi, derived(dual_phi, 3)})), "add up to");
   contains(refusal("db9", over_line({derived(phi, 9), phi})), "from 0 to 8");
   contains(refusal("db3", over_line({phi, phi, phi, phi, phi})), "from 1 to 4");

@@ -165,7 +165,7 @@ class PointsReader {
         shown(header_[column])));
   }
 
-  /// Of three columns without a header the first is the contour where it makes contours, or numbers the
+  /// In three columns without a header the first is the contour where it makes contours, or numbers the
   /// points; unless the last might as well be what makes contours.
   void decide_first_column() {
     const bool counts =

@@ -204,7 +204,7 @@ std::vector<WideTable::Limb> WideTable::limbs() {
     found->joints.push_back(&joint);
   }
   std::erase_if(limbs, [&](Limb& limb) {
-    // Of what is no leg, joints that were not found are left out.
+    // Joints that were not found are left out, unless they are those of a leg.
     if (limb.name.size() != 2) {
       std::erase_if(limb.joints, [&](const Joint* joint) {
         const bool found = std::count_if(joint->points.begin(), joint->points.end(), is_there) > 1;

@@ -68,7 +68,7 @@ int winding(const std::vector<Contour>& outline, const Eigen::Vector2d& point) {
   return sum;
 }
 
-/// Of random points, those that the oriented outline fills otherwise than the outline, by each of the
+/// The random points that the oriented outline fills otherwise than the outline, by each of the
 /// rules that it says to be alike.
 int wrong_points(const std::vector<Contour>& outline, FillRule rule, double most_plain = 1e7) {
   const Orientation turned = oriented(outline, rule, most_plain);

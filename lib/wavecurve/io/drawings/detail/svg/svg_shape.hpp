@@ -19,7 +19,7 @@ struct ShapeOutline {
   std::string defect;  ///< naming the attribute, its value and what it should be, if anything
 };
 
-/// Of broken data the part before the defect is drawn, of broken sizes nothing. Lengths are those of the
+/// If data are broken, the part before the defect is drawn; if sizes are, nothing. Lengths are those of the
 /// properties, where they are given, else of the attributes.
 ShapeOutline outline_of(const XmlElement& shape, const Properties& properties,
                         const Viewport& viewport);

@@ -16,7 +16,7 @@ TEST(XmlEntities, StandInTheirPlaces) {
       with_entities(
           "<!DOCTYPE s [\n<!ENTITY a \"fill:red\">\n<!ENTITY b '&a;;x:\"y\"'\n>]><s t='&b;'>&a;</s>"),
       "<!DOCTYPE s [\n\n\n]><s t='fill:red;x:&quot;y&quot;'>fill:red</s>");
-  // Of two with one name the first counts.
+  // If two have one name, the first counts.
   EXPECT_EQ(with_entities("<!ENTITY a '1'><!ENTITY a '2'>&a;"), "1");
   EXPECT_EQ(with_entities("<!ENTITY a '<g/>\n&#38;amp;'><s>&a;</s>"), "\n<s><g/> &amp;</s>");
 }
