@@ -86,9 +86,12 @@ function(wavecurve_fuzzer name folder dictionary)
   add_dependencies(fuzzers fuzzer_${name})
   set(found ${WAVECURVE_FUZZ_DIR}/found/${name})
   file(MAKE_DIRECTORY ${WAVECURVE_FUZZ_DIR}/found)
+  # Files, not their folder, to which the fuzzer would write what reaches something new.
+  file(GLOB seeds CONFIGURE_DEPENDS ${folder}/corpus/${name}/*)
+  list(JOIN seeds "," seeds)
   add_test(NAME fuzz.${name}
            COMMAND ${fuzzer} -seed=1 -runs=20000 -max_total_time=5 -max_len=4096 -timeout=10 -verbosity=0
-                   -dict=${dictionary} -artifact_prefix=${found}- ${folder}/corpus/${name})
+                   -dict=${dictionary} -artifact_prefix=${found}- -seed_inputs=${seeds})
   set_tests_properties(fuzz.${name} PROPERTIES COST 10)
 endfunction()
 
