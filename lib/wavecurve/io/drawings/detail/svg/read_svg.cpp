@@ -120,7 +120,9 @@ class SvgReader {
     const double outer_opacity = scene.style.opacity;
     scene.style = style_of(element, scene.style, scene.viewport, source);
     if (scene.style.displayed && meets_conditions(element)) {
-      at_transform(element, scene);
+      tolerate(element, "it is left out", [&] {
+        scene.transform = scene.transform * transform_of(element, scene.style.own, scene.viewport);
+      });
       const std::size_t first = file_.drawing.layers.size();
       draw_kind(element, scene);
       if (scene.style.opacity < outer_opacity && !is_shape(element) &&
@@ -130,12 +132,6 @@ class SvgReader {
       clip(scene, first);
     }
     --depth_;
-  }
-
-  void at_transform(const XmlElement& element, Scene& scene) {
-    tolerate(element, "it is left out", [&] {
-      scene.transform = scene.transform * transform_of(element, scene.style.own, scene.viewport);
-    });
   }
 
   /// The layers from `first` on by the property clip-path, which is only seen to change nothing.
@@ -315,7 +311,9 @@ class SvgReader {
     const bool within_bounds = tolerate(
         shape, "it is skipped", [&] { transform_outline(layer.subpaths, scene.transform); });
     if (!within_bounds) return;
-    if (layer.paint.stroke && layer.paint.line_cap != LineCap::butt) lengthen_dots(layer);
+    if (layer.paint.stroke && layer.paint.line_cap != LineCap::butt) {
+      lengthen_dots(layer.subpaths, 1e-4 * layer.paint.stroke_width);
+    }
     std::erase_if(layer.subpaths, has_no_length);
     if (!outline.defect.empty()) {
       warn(shape, outline.defect,
@@ -328,19 +326,6 @@ class SvgReader {
     warn_of_uneven_stroke(layer.paint, scene.transform);
     count_segments(shape, layer);
     add(shape, std::move(layer), name, scene.style.stroke_first);
-  }
-
-  /// A line without length shows its caps, along the axis of x. So it is given one, too short to be
-  /// seen.
-  static void lengthen_dots(Layer& layer) {
-    for (Subpath& subpath : layer.subpaths) {
-      if (!has_no_length(subpath) || subpath.segments.empty()) continue;
-      BezierSegment line;
-      line.control.resize(2, 2);
-      line.control.colwise() = subpath.segments.front().control.col(0).eval();
-      line.control(0, 1) += 1e-4 * layer.paint.stroke_width;
-      subpath = {{line}, false};
-    }
   }
 
   void warn_of_uneven_stroke(const Paint& paint, const Eigen::Affine2d& transform) {
@@ -364,25 +349,13 @@ class SvgReader {
   /// A fill closes its subpaths, a stroke does not: together they are two layers. So they are where
   /// the stroke is painted first.
   void add(const XmlElement& shape, Layer layer, const LayerNames::Name& name, bool stroke_first) {
-    const auto is_open = [](const Subpath& subpath) { return !subpath.closed; };
-    const bool open = std::any_of(layer.subpaths.begin(), layer.subpaths.end(), is_open);
-    const bool has_both = layer.paint.fill && layer.paint.stroke;
-    if (!layer.paint.fill || (!open && !(stroke_first && has_both))) {
-      return append(std::move(layer), name);
-    }
+    const bool open = !std::ranges::all_of(layer.subpaths, &Subpath::closed);
+    const bool is_reversed = stroke_first && layer.paint.stroke;
+    if (!layer.paint.fill || !(open || is_reversed)) return append(std::move(layer), name);
     Layer stroke = layer;
     stroke.paint.fill.reset();
     layer.paint.stroke.reset();
-    std::erase_if(layer.subpaths, is_straight_line);
-    for (Subpath& subpath : layer.subpaths) {
-      if (subpath.closed) continue;
-      BezierSegment closing;
-      closing.control.resize(2, 2);
-      closing.control << subpath.segments.back().control.rightCols<1>(),
-          subpath.segments.front().control.leftCols<1>();
-      subpath.segments.push_back(closing);
-      subpath.closed = true;
-    }
+    close_areas(layer.subpaths);
     const bool filled = !layer.subpaths.empty(), stroked = stroke.paint.stroke.has_value();
     if (!filled && !stroked) {
       nothing_drawn_ =

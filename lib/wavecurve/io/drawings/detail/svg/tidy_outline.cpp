@@ -53,8 +53,30 @@ bool has_no_length(const Subpath& subpath) {
   return box.diagonal().norm() <= 1e-12 * std::max(1.0, largest);
 }
 
-bool is_straight_line(const Subpath& subpath) {
-  return subpath.segments.size() == 1 && subpath.segments.front().degree() == 1;
+void lengthen_dots(std::vector<Subpath>& subpaths, double length) {
+  for (Subpath& subpath : subpaths) {
+    if (!has_no_length(subpath) || subpath.segments.empty()) continue;
+    BezierSegment line;
+    line.control.resize(2, 2);
+    line.control.colwise() = subpath.segments.front().control.col(0).eval();
+    line.control(0, 1) += length;
+    subpath = {{line}, false};
+  }
+}
+
+void close_areas(std::vector<Subpath>& subpaths) {
+  std::erase_if(subpaths, [](const Subpath& subpath) {
+    return subpath.segments.size() == 1 && subpath.segments.front().degree() == 1;
+  });
+  for (Subpath& subpath : subpaths) {
+    if (subpath.closed) continue;
+    BezierSegment closing;
+    closing.control.resize(2, 2);
+    closing.control << subpath.segments.back().control.rightCols<1>(),
+        subpath.segments.front().control.leftCols<1>();
+    subpath.segments.push_back(closing);
+    subpath.closed = true;
+  }
 }
 
 void transform_outline(std::vector<Subpath>& subpaths, const Eigen::Affine2d& transform) {

@@ -15,8 +15,13 @@ constexpr double largest_coordinate = 1e9;
 /// than rounding errors of their coordinates.
 bool has_no_length(const Subpath& subpath);
 
-/// Whether nothing lies inside of a subpath: it is one straight line.
-bool is_straight_line(const Subpath& subpath);
+/// A line without length shows its caps, along the axis of x. So it becomes a straight line of this
+/// length, which is to be too short to be seen.
+void lengthen_dots(std::vector<Subpath>& subpaths, double length);
+
+/// The subpaths as areas: open ones are closed by a straight line, and those that are one straight
+/// line, inside of which nothing lies, are left out.
+void close_areas(std::vector<Subpath>& subpaths);
 
 /// Transforms the subpaths. Then segments whose control points coincide are left out, and ends that
 /// meet but for a rounding error (1e-10 of the size) meet exactly. Throws std::invalid_argument
