@@ -86,6 +86,7 @@
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
+#include "wavecurve/operators/nonstandard_form.hpp"
 #include "wavecurve/operators/spectrum.hpp"
 #include "wavecurve/operators/two_scale_system.hpp"
 #include "wavecurve/transform/bands.hpp"
