@@ -44,7 +44,8 @@ struct CoefficientsOptions {
   std::optional<std::string> quantity, integral, named_operator;
   IntegralRange range;
   std::optional<int> moments;
-  int level = 0, largest = 10;
+  int level = 0;
+  OperatorRange operator_range;
 };
 
 struct Orders {
@@ -177,7 +178,9 @@ std::optional<std::string> other_numbers(const CoefficientsOptions& options) {
   if (options.integral)
     return integral_output(name, *options.integral, options.range, digits, format);
   if (options.named_operator) {
-    return operator_output(name, *options.named_operator, options.largest, digits, format);
+    OperatorRange range = options.operator_range;
+    range.period = options.range.period;
+    return operator_output(name, *options.named_operator, range, digits, format);
   }
   if (options.moments) return moments_output(name, *options.moments, digits, format);
   return std::nullopt;
@@ -227,11 +230,12 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
       "of phi'(x) phi(x - l) phi(x - m) for all l, m. Factors are phi, psi, phi~, psi~, with primes\n"
       "or ^(p) for derivatives and (l) or (2x - l) for the shift and the level, and x^p");
   integral->excludes(quantity);
-  CLI::Option* period = command
-                            ->add_option("--period", options->range.period,
-                                         "Make the factors periodic, and integrate over one period")
-                            ->check(whole_number_from(1, most_integrals))
-                            ->needs(integral);
+  CLI::Option* period =
+      command
+          ->add_option("--period", options->range.period,
+                       "With --integral or --operator: make the factors periodic, and\n"
+                       "integrate over one period")
+          ->check(whole_number_from(1, most_integrals));
   command
       ->add_option("--on", options->range.on,
                    "A,B: integrate from A to B, integers or dyadic points, not over the line;\n"
@@ -254,10 +258,12 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
       "--operator", options->named_operator,
       "Print int phi(x - l) (T phi)(x) dx of the operator T: hilbert, fractional:S (the derivative of\n"
       "order S, or the integral of order -S), derivative:K");
-  command->add_option("--up-to", options->largest, "With --operator: the largest |l|")
+  command
+      ->add_option("--up-to", options->operator_range.largest, "With --operator: the largest |l|")
       ->check(whole_number_from(0, certified::largest_shift))
       ->capture_default_str()
-      ->needs(named_operator);
+      ->needs(named_operator)
+      ->excludes(period);
   add_digits_option(*command, options->digits);
   CLI::Option* normalize = command->add_option("--normalize", options->normalization,
                                                "Divide mu and nu by their index 0");
@@ -271,6 +277,9 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   command->callback([=] {
     if (!level->empty() && quantity->empty()) {
       throw std::invalid_argument("--level takes --quantity");
+    }
+    if (!period->empty() && integral->empty() && named_operator->empty()) {
+      throw std::invalid_argument("--period takes --integral or --operator");
     }
     run_coefficients(*options);
   });

@@ -74,24 +74,37 @@ NamedOperator parse_operator(const std::string& text) {
       "hilbert, fractional:S such as fractional:0.5, or derivative:K such as derivative:2"));
 }
 
-std::vector<certified::IntegralDecimal> operator_decimals(const FilterDefinition& definition,
-                                                          const NamedOperator& op, int largest,
-                                                          int digits) {
-  if (op.derivative) {
-    auto all = certified::integral_decimals(
-        definition, {{{{.derivative = *op.derivative}, false}, {{}}}}, digits);
-    std::erase_if(all, [&](const auto& entry) { return std::abs(entry.indices[0]) > largest; });
-    return all;
+std::vector<certified::IntegralDecimal> derivative_decimals(const FilterDefinition& definition,
+                                                            int derivative,
+                                                            const OperatorRange& range,
+                                                            int digits) {
+  auto all = certified::integral_decimals(
+      definition, {.factors = {{{.derivative = derivative}, false}, {{}}}, .period = range.period},
+      digits);
+  if (!range.period) {
+    std::erase_if(all,
+                  [&](const auto& entry) { return std::abs(entry.indices[0]) > range.largest; });
   }
+  return all;
+}
+
+std::vector<certified::IntegralDecimal> operator_decimals(const FilterDefinition& definition,
+                                                          const NamedOperator& op,
+                                                          const OperatorRange& range, int digits) {
+  if (op.derivative) return derivative_decimals(definition, *op.derivative, range, digits);
   const auto decimals = certified::rounded_values(
       [&](long bits) {
-        return certified::operator_coefficients(definition, op.homogeneous, largest, bits).taps;
+        return range.period ? certified::periodic_operator_coefficients(definition, op.homogeneous,
+                                                                        *range.period, bits)
+                                  .taps
+                            : certified::operator_coefficients(definition, op.homogeneous,
+                                                               range.largest, bits)
+                                  .taps;
       },
       digits, definition.known_bits);
   std::vector<certified::IntegralDecimal> entries;
-  for (int l = -largest; l <= largest; ++l) {
-    entries.push_back({{l}, decimals[static_cast<std::size_t>(l + largest)]});
-  }
+  int l = range.period ? 0 : -range.largest;
+  for (const auto& number : decimals) entries.push_back({{l++}, number});
   return entries;
 }
 
@@ -140,12 +153,16 @@ void append_weights(NumberList& list, const FilterDefinition& definition, int hi
 
 }  // namespace
 
-std::string operator_output(const std::string& filter, const std::string& text, int largest,
-                            int digits, const std::string& format) {
+std::string operator_output(const std::string& filter, const std::string& text,
+                            const OperatorRange& range, int digits, const std::string& format) {
   const NamedOperator op = parse_operator(text);
   const FilterDefinition definition = io::load_filter(filter);
   NumberList list{definition.name, "operator " + text, {{"operator", text}, {"on", nullptr}}, {}};
-  for (auto& [indices, number] : operator_decimals(definition, op, largest, digits)) {
+  if (range.period) {
+    list.name += fmt::format(" with period {}", *range.period);
+    list.head["period"] = *range.period;
+  }
+  for (auto& [indices, number] : operator_decimals(definition, op, range, digits)) {
     list.entries.push_back(listed(indices, std::move(number)));
   }
   return number_list_output(list, format);

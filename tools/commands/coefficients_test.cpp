@@ -140,6 +140,27 @@ TEST_F(CoefficientsCommand, OperatorsHaveCoefficientsUpToAnyIndex) {
   EXPECT_NE(hilbert.find("0.588303698"), std::string::npos) << hilbert;
 }
 
+TEST_F(CoefficientsCommand, OperatorsActOnPeriodicFunctions) {
+  const auto values = [&](const std::string& arguments) {
+    const json document =
+        json::parse(wavecurve("coefficients db3 --digits 8 --format json " + arguments).out);
+    std::vector<double> numbers;
+    for (const json& entry : document["entries"]) {
+      numbers.push_back(std::stod(entry["value"].get<std::string>()));
+    }
+    return numbers;
+  };
+  const auto hilbert = values("--operator hilbert --period 4");
+  ASSERT_EQ(hilbert.size(), 4U);
+  EXPECT_EQ(hilbert[0], 0);
+  EXPECT_EQ(hilbert[2], 0);
+  EXPECT_EQ(hilbert[1], -hilbert[3]);
+  // The frequency 1 of 4 is multiplied by -i |F|^2-sums near 1: r_1 - r_3 is near 1.
+  EXPECT_NEAR(hilbert[1] - hilbert[3], 1, 0.1);
+  EXPECT_EQ(values("--operator derivative:1 --period 5"),
+            values("--integral \"phi' phi(l)\" --period 5"));
+}
+
 TEST_F(CoefficientsCommand, MomentsComeWithReproductionAndQuadrature) {
   const json document =
       json::parse(wavecurve("coefficients cdf9.7 --moments 3 --digits 12 --format json").out);
@@ -196,6 +217,9 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --integral \"phi phi phi phi\" --period 4000",
                  "number of integrals");
   expect_refusal("coefficients db4 --operator laplace", "hilbert, fractional:S");
+  expect_refusal("coefficients db4 --operator hilbert --period 20000", "from 1 to 16384");
+  expect_refusal("coefficients db4 --operator hilbert --period 8 --up-to 3", "--period");
+  expect_refusal("coefficients db4 --period 8", "--period takes --integral or --operator");
   expect_refusal("coefficients db4 --operator fractional:x", "hilbert, fractional:S");
   expect_refusal("coefficients db4 --operator derivative:9", "from 0 to 8");
   expect_refusal("coefficients db2 --operator fractional:2.5", "but it must exceed 1.25");

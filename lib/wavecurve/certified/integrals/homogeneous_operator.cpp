@@ -73,6 +73,13 @@ Correlation correlation_of(const FilterBank<Ball>& bank, const Ball& norm_square
   return result;
 }
 
+/// zeta(sigma, a) = sum_{j >= 0} (a + j)^-sigma, continued to all sigma but 1.
+Ball hurwitz_zeta(const Rational& sigma, const Ball& a) {
+  Ball result;
+  arb_hurwitz_zeta(result.get(), Ball(sigma).get(), a.get(), WorkingPrecision::bits());
+  return result;
+}
+
 class OperatorSystem {
  public:
   OperatorSystem(const HomogeneousOperator& op, const Correlation& f)
@@ -117,7 +124,65 @@ class OperatorSystem {
     return result;
   }
 
+  /// sum_j r_{l + n j}, l = 0 .. n - 1: one by one below `end`, and beyond it by the zeta functions, to this many
+  /// bits. Behind them stands |r_0| + |r_1|, the scale of what is added: the sums themselves may vanish.
+  Filter<Ball> solve_periodic(int n, int far, long bits) const {
+    const int end = n * (distant_reaches * f_.reach() / n + 2);  // at least a period more
+    const Filter<Ball> near = solve(end - 1, far);
+    Filter<Ball> result{0, {}};
+    for (int l = 0; l < n; ++l) {
+      if (n == 1 || (is_odd_ && 2 * l % n == 0)) {  // constants vanish; r_l = -r_{n-l}
+        result.taps.emplace_back(0);
+        continue;
+      }
+      const int before = l == 0 ? end : end + n - l;
+      Ball sum(0);
+      for (int i = n - before; i < end; i += n) sum += near[i];
+      const WorkingPrecision precision(bits);
+      sum += distant_sum(l + end, n);
+      if (is_odd_) sum -= distant_sum(before, n);
+      result.taps.push_back(std::move(sum));
+    }
+    result.taps.push_back(abs(near[0]) + abs(near[1]));
+    return result;
+  }
+
  private:
+  /// From so many times W on, terms of the series fall by six bits each.
+  static constexpr int distant_reaches = 64;
+
+  /// sum_{j >= 0} r_{start + n j}, the series being summed term by term: K^(m) gives zeta(s + 1 + m, start / n).
+  /// For m = 0 of the Hilbert transform that is infinite, and -digamma(start / n) stands for it: both differ by the
+  /// same from the sum up to any j, so that the difference of two sums is right.
+  Ball distant_sum(int start, int n) const {
+    const long bits = WorkingPrecision::bits();
+    const std::size_t terms = std::min(f_.moments.size(), static_cast<std::size_t>(bits / 6 + 8));
+    const Ball a(Rational(start, n));
+    const Rational sigma = order_ + Rational(1);
+    const Ball inverse = Ball(1) / Ball(n);
+    Ball power = exp(-Ball(sigma) * log(Ball(n)));
+    Ball sum(0);
+    for (std::size_t m = 0; m < terms; ++m) {
+      const Rational exponent = sigma + Rational(static_cast<long>(m));
+      if (exponent == Rational(1) && is_odd_) {
+        Ball digamma;
+        arb_digamma(digamma.get(), a.get(), bits);
+        sum -= taylor_[m] * power * f_.moments[m] * digamma;
+      } else if (!taylor_[m].contains_zero()) {  // K is a polynomial of a degree below m
+        sum += taylor_[m] * power * f_.moments[m] * hurwitz_zeta(exponent, a);
+      }
+      power *= inverse;
+    }
+    // The remainders of all r_l, as in series.
+    const Ball nearest(Rational(start - f_.reach(), n));
+    const Ball remainder = abs(taylor_[terms]) * power *
+                           hurwitz_zeta(sigma + Rational(static_cast<long>(terms)), nearest) *
+                           pow(Ball(f_.reach()), static_cast<unsigned long>(terms)) *
+                           f_.absolute_integral;
+    arb_add_error(sum.get(), remainder.get());
+    return sum;
+  }
+
   Ball series(int l) const {
     const Ball inverse = Ball(1) / Ball(l);
     Ball power = exp(-(Ball(order_) + Ball(1)) * log(Ball(l)));
@@ -211,22 +276,24 @@ void check_operator(const HomogeneousOperator& op) {
   }
 }
 
-}  // namespace
-
-Filter<Ball> operator_coefficients(const FilterDefinition& definition,
-                                   const HomogeneousOperator& op, int largest, long bits) {
-  check_operator(op);
-  check_between("largest shift of an operator", largest, 0, largest_shift);
+void require_smoothness(const FilterDefinition& definition, const HomogeneousOperator& op) {
   const Rational needed = std::max(op.order / Rational(2), Rational(0));
-  if (!is_proved_smoother(definition, needed)) {
-    const WorkingPrecision precision(128);
-    throw std::domain_error(fmt::format(
-        "filter {} is not smooth enough for an operator of order {}: its Sobolev exponent is {}, "
-        "but it must exceed {}",
-        definition.name, op.order.to_string(),
-        round_to_digits(sobolev_exponent(definition), 4).value_or("not known well enough"),
-        round_to_digits(needed, 4)));
-  }
+  if (is_proved_smoother(definition, needed)) return;
+  const WorkingPrecision precision(128);
+  throw std::domain_error(fmt::format(
+      "filter {} is not smooth enough for an operator of order {}: its Sobolev exponent is {}, "
+      "but it must exceed {}",
+      definition.name, op.order.to_string(),
+      round_to_digits(sobolev_exponent(definition), 4).value_or("not known well enough"),
+      round_to_digits(needed, 4)));
+}
+
+/// solve(system, far, working bits) at rising precision, `far` the first l of the series.
+template <class Solve>
+Filter<Ball> solve_accurately(const FilterDefinition& definition, const HomogeneousOperator& op,
+                              long bits, Solve solve) {
+  check_operator(op);
+  require_smoothness(definition, op);
   const Ball norm_squared = product_integrals(definition, {{{{}, false}, {{}}}}, bits + 64).at({0});
   return accurate_values(definition, bits, [&](const FilterBank<Ball>&) {
     // From 9 W on each term is an eighth of the one before: three bits.
@@ -236,9 +303,31 @@ Filter<Ball> operator_coefficients(const FilterDefinition& definition,
     const WorkingPrecision precision(working + 12L * terms);
     const Correlation f =
         correlation_of(definition.bank(working + 12L * terms), norm_squared, terms);
-    const Filter<Ball> result = OperatorSystem(op, f).solve(largest, 9 * f.reach() + 1);
-    return result;
+    const OperatorSystem system(op, f);
+    return solve(system, 9 * f.reach() + 1, working);
   });
+}
+
+}  // namespace
+
+Filter<Ball> operator_coefficients(const FilterDefinition& definition,
+                                   const HomogeneousOperator& op, int largest, long bits) {
+  check_between("largest shift of an operator", largest, 0, largest_shift);
+  return solve_accurately(definition, op, bits,
+                          [&](const OperatorSystem& system, int far, long /*working*/) {
+                            return system.solve(largest, far);
+                          });
+}
+
+Filter<Ball> periodic_operator_coefficients(const FilterDefinition& definition,
+                                            const HomogeneousOperator& op, int period, long bits) {
+  check_between("period of an operator", period, 1, largest_operator_period);
+  Filter<Ball> result = solve_accurately(definition, op, bits,
+                                         [&](const OperatorSystem& system, int far, long working) {
+                                           return system.solve_periodic(period, far, working);
+                                         });
+  result.taps.pop_back();
+  return result;
 }
 
 }  // namespace wavecurve::certified

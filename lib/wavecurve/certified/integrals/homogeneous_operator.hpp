@@ -42,4 +42,17 @@ Filter<Ball> operator_coefficients(const FilterDefinition& definition,
 
 inline constexpr int largest_shift = 100'000;
 
+/// The same for functions of a whole period n, the operator being applied to each frequency k != 0 by its
+/// symbol, sgn(k) / i or (2 pi i k / n)^s, and mapping constants to 0 (Weyl):
+///   r_l = sum_j r_{l + n j} = 1/n sum_{k != 0} |phi^(2 pi k / n)|^2 symbol(k) e^(2 pi i k l / n),
+/// l = 0 .. n - 1, k over all whole numbers; the first column of a circulant matrix. The sum over j is taken term
+/// by term of Taylor's series above, which gives Hurwitz' zeta functions, with its remainder. For orders s <= 0
+/// it diverges, and the zeta functions continue it: both sides are analytic in s. The bits are relative to the r_0 and
+/// r_1 of the line. Throws as above, and for a
+/// period outside 1 .. largest_operator_period.
+Filter<Ball> periodic_operator_coefficients(const FilterDefinition& definition,
+                                            const HomogeneousOperator& op, int period, long bits);
+
+inline constexpr int largest_operator_period = 16'384;
+
 }  // namespace wavecurve::certified

@@ -10,6 +10,7 @@
 
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/find_filter_bank.hpp"
 
 namespace wavecurve::certified {
 namespace {
@@ -106,6 +107,82 @@ TEST(HomogeneousOperator, OrdersNearAWholeOneGoOverIntoTheDerivative) {
   }
 }
 
+/// phi^(xi) = prod_{j>=1} m(xi / 2^j), m(xi) = sum_n a_n e^(-i n xi) / sqrt 2, a the taps.
+std::complex<double> transform_of_phi(const Filter<double>& taps, double xi) {
+  std::complex<double> product = 1;
+  for (int j = 1; j <= 60; ++j) {
+    std::complex<double> sum = 0;
+    for (int n = taps.first_index; n <= taps.last_index(); ++n) {
+      sum += taps[n] * std::polar(1.0, -n * std::ldexp(xi, -j));
+    }
+    product *= sum / std::numbers::sqrt2;
+  }
+  return product;
+}
+
+// |phi^(xi)|^2 falls like xi^(-2 e - 1) over octaves, e = 2.39 the Sobolev exponent of db6, so that the terms of an
+// octave of frequencies are together below half of those of the octave before, for s < 2 e - 1: all that is left away,
+// |j| > 300, is below the last octave. The products have 60 factors of a few roundings.
+TEST(PeriodicOperator, HasTheEigenvaluesOfItsSymbol) {
+  const int n = 12;
+  const Filter<double> taps = find_filter_bank("db6").synthesis_low;
+  const std::complex<double> i(0, 1);
+  for (const HomogeneousOperator& op :
+       {HomogeneousOperator{hilbert}, HomogeneousOperator{fractional, Rational(1, 2)},
+        HomogeneousOperator{fractional, Rational(3, 2)},
+        HomogeneousOperator{fractional, Rational(-3, 4)},
+        HomogeneousOperator{fractional, Rational(-1)},
+        HomogeneousOperator{fractional, Rational(-2)}}) {
+    const auto r = periodic_operator_coefficients(find_filter("db6"), op, n, bits);
+    ASSERT_EQ(r.size(), n);
+    const double s = Ball(op.order).to_double();
+    for (int k = 0; k < n; ++k) {
+      std::complex<double> expected = 0, last_octave = 0, found = 0;
+      for (int j = -300; j <= 300; ++j) {
+        const double xi = 2 * std::numbers::pi * (j + static_cast<double>(k) / n);
+        if (xi == 0) continue;
+        const std::complex<double> symbol =
+            op.kind == hilbert ? -i * std::copysign(1.0, xi) : std::pow(i * xi, s);
+        const std::complex<double> term = std::norm(transform_of_phi(taps, xi)) * symbol;
+        expected += term;
+        if (std::abs(j) > 150) last_octave += term;
+      }
+      for (int l = 0; l < n; ++l) {
+        found += r[l].to_double() * std::polar(1.0, -2 * std::numbers::pi * k * l / n);
+      }
+      EXPECT_LT(std::abs(found - expected), std::abs(last_octave) + 1e-12)
+          << op.order.to_string() << " " << k;
+    }
+  }
+}
+
+TEST(PeriodicOperator, IsAsAccurateAsAskedAndKillsConstants) {
+  for (const int n : {1, 2, 5, 64}) {
+    for (const HomogeneousOperator& op :
+         {HomogeneousOperator{hilbert}, HomogeneousOperator{fractional, Rational(1, 3)},
+          HomogeneousOperator{fractional, Rational(-5, 2)}}) {
+      const WorkingPrecision precision(200);
+      Ball sum(0);
+      for (const Ball& value :
+           periodic_operator_coefficients(find_filter("db4"), op, n, bits).taps) {
+        EXPECT_LT(value.radius_double(), 1e-28 * n * n * n);
+        sum += value;
+      }
+      EXPECT_TRUE(sum.contains_zero()) << op.order.to_string() << " " << n;
+    }
+  }
+}
+
+TEST(PeriodicOperator, NearAWholeOrderIsThePeriodicDerivative) {
+  const auto r = periodic_operator_coefficients(
+      find_filter("db3"), {fractional, Rational(1) - Rational::power_of_two(-60)}, 3, bits);
+  // r_l = -272/365, 53/365, -16/1095, -1/2920 of Beylkin, odd, folded into three: l = 1 takes 1, 4 and -2.
+  const Rational one = Rational(-272, 365) - Rational(1, 2920) - Rational(53, 365);
+  EXPECT_NEAR(std::abs(r[1].to_double()), std::abs(Ball(one).to_double()), 1e-15);
+  EXPECT_NEAR(r[0].to_double(), 0, 1e-15);
+  EXPECT_NEAR(r[1].to_double(), -r[2].to_double(), 1e-15);
+}
+
 TEST(HomogeneousOperator, RefusesWhatHasNoUniqueSolution) {
   const auto refusal = [](const std::string& filter, HomogeneousOperator op,
                           int largest = 5) -> std::string {
@@ -124,6 +201,10 @@ TEST(HomogeneousOperator, RefusesWhatHasNoUniqueSolution) {
   EXPECT_NE(refusal("db3", {fractional, Rational(17, 2)}).find("from -8 to 8"), std::string::npos);
   EXPECT_NE(refusal("db3", {hilbert, Rational(1)}).find("must be 0"), std::string::npos);
   EXPECT_NE(refusal("db3", {hilbert}, 200'000).find("from 0 to 100000"), std::string::npos);
+  for (const int period : {0, largest_operator_period + 1}) {
+    EXPECT_THROW(periodic_operator_coefficients(find_filter("db3"), {hilbert}, period, bits),
+                 std::invalid_argument);
+  }
 }
 
 }  // namespace
