@@ -78,6 +78,14 @@ constexpr Replacement high_characters[] = {
     {"\u2078", "8"}, {"\u2079", "9"}, {"\u207B", "-"}, {"\u207A", "+"},
 };
 
+/// Digits, signs, points, bars and letters: what most numbers are made of, and nothing changes there.
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+           c == '+' || c == '.' || c == '/';
+  });
+}
+
 /// Takes what the table has off the front.
 template <std::size_t size>
 std::optional<std::string_view> take_replaced(std::string_view& rest,
@@ -123,14 +131,6 @@ void take_one(std::string_view& rest, std::string& plain, bool& high) {
     else if (c != '{' && c != '}' && c != '$')
       plain += c;
   }
-}
-
-/// Digits, signs, points and letters: what most numbers are made of, and nothing changes there.
-bool is_plain(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
-           c == '+' || c == '.';
-  });
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "verification/quantities/entry_index.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -86,9 +89,10 @@ int EntryIndex::integer() const {
 }
 
 int EntryIndex::dyadic_level() const {
-  int level = 0;
-  while (std::fmod(std::ldexp(first, level), 1) != 0) ++level;
-  return level;
+  int exponent = 0;
+  const double fraction = std::frexp(first, &exponent);
+  const auto digits = static_cast<std::uint64_t>(std::abs(std::ldexp(fraction, 53)));
+  return std::max(0, 53 - exponent - std::countr_zero(digits));
 }
 
 std::string EntryIndex::text() const {

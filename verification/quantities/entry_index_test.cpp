@@ -1,5 +1,6 @@
 #include "verification/quantities/entry_index.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -17,7 +18,16 @@ TEST(EntryIndex, IsAnIntegerAPointOrAPair) {
   EXPECT_EQ(parse_entry_index("(2, -1)"), EntryIndex::pair(2, -1));
   EXPECT_EQ(parse_entry_index("2 -1").text(), "(2, -1)");
   EXPECT_EQ(parse_entry_index("-0"), EntryIndex(0));
-  EXPECT_EQ(EntryIndex::at(0.375).dyadic_level(), 3);
+}
+
+TEST(EntryIndex, LevelOfADyadicPointIsTheLeastThatMakesItWhole) {
+  EXPECT_EQ(EntryIndex(0).dyadic_level(), 0);
+  for (const double odd : {1.0, -3.0, 12345.0}) {
+    for (int level = 0; level <= 30; ++level) {
+      EXPECT_EQ(EntryIndex::at(std::ldexp(odd, -level)).dyadic_level(), level) << odd;
+    }
+    EXPECT_EQ(EntryIndex::at(std::ldexp(odd, 3)).dyadic_level(), 0) << odd;
+  }
 }
 
 TEST(EntryIndex, RefusesWhatIsNone) {

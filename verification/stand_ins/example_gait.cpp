@@ -10,6 +10,7 @@
 #include "wavecurve/motion/gait/model/fit_subcycles.hpp"
 
 #include "verification/stand_ins/example_drawing.hpp"
+#include "verification/suite/claim_value.hpp"
 #include "verification/suite/data_folder.hpp"
 
 namespace wavecurve::verification {
@@ -62,7 +63,5 @@ Table quality_table(const std::vector<std::string>& phases,
   }
   return table;
 }
-
-std::string percent(double share) { return fmt::format("{:.2g}", 100 * share); }
 
 }  // namespace wavecurve::verification

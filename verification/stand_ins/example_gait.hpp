@@ -33,7 +33,4 @@ constexpr double example_ground = 232;
 Table quality_table(const std::vector<std::string>& phases,
                     const std::vector<gait::GaitModel>& models);
 
-/// In % with two digits.
-std::string percent(double share);
-
 }  // namespace wavecurve::verification

@@ -6,6 +6,7 @@
 
 #include "verification/stand_ins/example_drawing.hpp"
 #include "verification/stand_ins/example_gait.hpp"
+#include "verification/suite/claim_value.hpp"
 
 namespace wavecurve::verification {
 

@@ -58,6 +58,10 @@ ClaimValue to_digits(std::string name, double number, int digits, std::string un
   return rounded(std::move(name), number, std::move(unit), digits, true);
 }
 
+std::string percent(double share, int significant_digits) {
+  return fmt::format("{:.{}g}", 100 * share, significant_digits);
+}
+
 bool agrees(const ClaimValue& blessed, const ClaimValue& own) {
   // A difference of decimals that equals the tolerance may be rounded to the other side of it.
   const double allowed = blessed.tolerance * (1 + 1e-6);

@@ -34,6 +34,9 @@ ClaimValue counted(std::string name, long long number, std::string unit = {});
 ClaimValue to_decimals(std::string name, double number, int decimals, std::string unit = {});
 ClaimValue to_digits(std::string name, double number, int digits, std::string unit = {});
 
+/// A share in %, without the sign, for the cell of a table.
+std::string percent(double share, int significant_digits = 2);
+
 /// True if a run's number is within the tolerance of the blessed one, in the same unit. The
 /// blessed tolerance counts, not the run's: a wider one has to be blessed first.
 bool agrees(const ClaimValue& blessed, const ClaimValue& own);

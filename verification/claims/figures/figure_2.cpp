@@ -149,8 +149,6 @@ bool grows(const std::vector<double>& errors) {
                             [](double a, double b) { return !(a < b); }) == errors.end();
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
-
 Outcome evaluate() {
   const Contour digit = example_contour("three.svg", samples);
   const Series splines = wavelet_series(digit, spline), d8 = wavelet_series(digit, daubechies);
@@ -175,7 +173,7 @@ Outcome evaluate() {
                   row("Fourier, as many frequencies", fourier)}};
 
   const auto at = [](const std::vector<double>& values, int k) {
-    return percent(values[static_cast<std::size_t>(k)]);
+    return percent(values[static_cast<std::size_t>(k)]) + " %";
   };
   Outcome outcome;
   outcome.verdict = similar && ordered ? ClaimVerdict::stand_in : ClaimVerdict::does_not_hold;
@@ -191,7 +189,7 @@ Outcome evaluate() {
       "the diagonal of the bounding box (Hausdorff), {} half of the drawn line's width. Level 6 "
       "deviates by {} (spline) and {} (D8). The publication's digit is lost; this one is the "
       "project's own.",
-      percent(omitted), similar ? "less than" : "more than", at(a.hausdorff, 6),
+      percent(omitted) + " %", similar ? "less than" : "more than", at(a.hausdorff, 6),
       at(b.hausdorff, 6));
   outcome.evidence = {figure, all_families(digit)};
   return outcome;

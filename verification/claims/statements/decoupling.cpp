@@ -67,10 +67,8 @@ std::vector<double> largest_errors(const dynamics::LagrangeSystem& system) {
   return errors;
 }
 
-std::string percent(double share) { return fmt::format("{:.3g}", 100 * share); }
-
 std::vector<std::string> row(std::vector<std::string> first, const std::vector<double>& errors) {
-  for (const double error : errors) first.push_back(percent(error));
+  for (const double error : errors) first.push_back(percent(error, 3));
   return first;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -40,8 +41,6 @@ const std::vector<Reading>& readings() {
   return all;
 }
 
-int log2_of(int samples) { return samples == 1 ? 0 : 1 + log2_of(samples / 2); }
-
 /// The shares under every reading, and how many of all are below the published bound.
 class Shares {
  public:
@@ -73,7 +72,7 @@ Chart by_level(const char* name, const char* id, Shares& shares) {
   chart.data = {fmt::format("Share of the off-diagonal entries; {}, N = {}", id, figure_samples),
                 columns({"wavelet levels"}),
                 {}};
-  for (int levels = 0; levels <= log2_of(figure_samples); ++levels) {
+  for (int levels = 0; levels <= all_levels(figure_samples); ++levels) {
     std::vector<std::string> row{std::to_string(levels)};
     append(row, shares.of(stiffness(bank, figure_samples, levels), levels));
     chart.data.rows.push_back(row);
@@ -93,7 +92,7 @@ Table by_family(Shares& shares) {
   for (const char* name : {"db3", "db4", "db5", "db6", "db8", "db10", "sym4", "sym8", "coif1",
                            "coif2", "coif3", "bspline2.2", "bspline3.3", "bspline4.4", "cdf9.7"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
-    for (int levels : {2, log2_of(figure_samples)}) {
+    for (int levels : {2, all_levels(figure_samples)}) {
       std::vector<std::string> row{name, std::to_string(levels)};
       append(row, shares.of(stiffness(bank, figure_samples, levels), levels));
       table.rows.push_back(row);
@@ -108,7 +107,7 @@ Table by_size(Shares& shares) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
     for (int samples = 16; samples <= 1024; samples *= 2) {
       std::vector<std::string> row{name, std::to_string(samples)};
-      append(row, shares.of(stiffness(bank, samples, log2_of(samples)), log2_of(samples)));
+      append(row, shares.of(stiffness(bank, samples, all_levels(samples)), all_levels(samples)));
       table.rows.push_back(row);
     }
   }
@@ -125,7 +124,7 @@ Table normalised(Shares& shares) {
       {}};
   for (const char* name : {"bspline2.2", "bspline3.3", "bspline4.4", "cdf9.7"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
-    const int levels = log2_of(figure_samples);
+    const int levels = all_levels(figure_samples);
     const Eigen::VectorXd scale =
         gram(bank, figure_samples, levels).diagonal().cwiseSqrt().cwiseInverse();
     const Matrix scaled =
@@ -158,7 +157,7 @@ Outcome evaluate() {
   outcome.finding = {
       "D8, N = {}: {} single scale, {} one level, {} two, {} all; {} in the diagonal blocks of two",
       {counted("N", figure_samples), whole("single scale", 0), whole("one level", 1),
-       whole("two levels", 2), whole("all levels", log2_of(figure_samples)),
+       whole("two levels", 2), whole("all levels", all_levels(figure_samples)),
        to_decimals("share off the diagonal, in the diagonal blocks of two levels", blocks, 1,
                    "%")}};
   outcome.summary = fmt::format(

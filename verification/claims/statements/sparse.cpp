@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/elementary/logarithm.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/filters/find_filter_bank.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
@@ -27,8 +28,6 @@ constexpr double sparse_share = 0.25, sparse_exponent = 1.5;
 /// Entries below this fraction of the largest are not told from zero.
 constexpr double rounding = 1e-12;
 
-int log2_of(int samples) { return samples == 1 ? 0 : 1 + log2_of(samples / 2); }
-
 double share(const Matrix& k) {
   return static_cast<double>(k.nonZeros()) / static_cast<double>(k.size());
 }
@@ -46,7 +45,7 @@ Table at_published_size() {
               {}};
   for (const char* name : {"db3", "db4", "coif1", "coif2", "db10", "bspline4.4"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
-    for (int levels : {0, 1, 2, log2_of(published_samples)}) {
+    for (int levels : {0, 1, 2, all_levels(published_samples)}) {
       const Matrix k = stiffness(bank, published_samples, levels);
       table.rows.push_back({name, std::to_string(levels), std::to_string(k.nonZeros()),
                             fmt::format("{:.1f}", 100 * share(k)),
@@ -67,7 +66,7 @@ Range published_shares() {
   Range range;
   for (const char* name : {"db4", "coif2"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);
-    for (int levels = 1; levels <= log2_of(published_samples); ++levels) {
+    for (int levels = 1; levels <= all_levels(published_samples); ++levels) {
       const double found = share_above(stiffness(bank, published_samples, levels), rounding);
       range.smallest = std::min(range.smallest, found);
       range.largest = std::max(range.largest, found);
@@ -86,8 +85,8 @@ Chart by_size(double& last_exponent) {
                            k2 = find_filter_bank<double>("coif2");
   Eigen::Index last = 0;
   for (int samples = 16; samples <= 8192; samples *= 2) {
-    const Matrix k = stiffness(d8, samples, log2_of(samples));
-    const Eigen::Index other = stiffness(k2, samples, log2_of(samples)).nonZeros();
+    const Matrix k = stiffness(d8, samples, all_levels(samples));
+    const Eigen::Index other = stiffness(k2, samples, all_levels(samples)).nonZeros();
     const double exponent =
         logarithm(static_cast<double>(k.nonZeros()) / static_cast<double>(last)) /
         std::numbers::ln2;
