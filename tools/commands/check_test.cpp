@@ -53,6 +53,9 @@ TEST_F(CheckCommand, PrintsJson) {
   EXPECT_EQ(row["printed"], "-0.00000270434");
   EXPECT_EQ(row["verdict"], "misprint");
   EXPECT_EQ(row["certified"], "-0.000000270434");
+  const auto& print = json["rows"][1];  // alpha_1
+  EXPECT_EQ(print["parts"], (nlohmann::json{{{"text", "1.20035616472"}, {"departs", false}},
+                                            {{"text", "3"}, {"departs", true}}}));
   EXPECT_NEAR(row["ulps"].get<double>(), 243391, 1);
   EXPECT_NE(row["detail"].get<std::string>().find("-0.000000270434"), std::string::npos);
   EXPECT_EQ(

@@ -10,6 +10,7 @@
 #include "wavecurve/io/files/detail/json_text.hpp"
 
 #include "tools/commands/output/check_sentences.hpp"
+#include "verification/prints/marked_print.hpp"
 #include "verification/tables/table_columns.hpp"
 
 namespace wavecurve::tools {
@@ -43,6 +44,15 @@ nlohmann::ordered_json convention_as_json(const CheckedColumn& column) {
           {"words", column.convention_text}};
 }
 
+/// The print cut where it departs from the right number; put together, its texts are the print.
+nlohmann::ordered_json parts_as_json(const CheckedRow& row) {
+  nlohmann::ordered_json result = nlohmann::ordered_json::array();
+  for (const PrintPart& part : marked_print(row.entry.printed, row.entry.number, row.departure)) {
+    result.push_back({{"text", part.text}, {"departs", part.departs}});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string check_as_json(const CheckedTable& table) {
@@ -54,6 +64,7 @@ std::string check_as_json(const CheckedTable& table) {
                               {"quantity", to_string(row.entry.quantity)},
                               {"index", index_as_json(row.entry.index)},
                               {"printed", row.entry.printed},
+                              {"parts", parts_as_json(row)},
                               {"verdict", to_string(row.verdict)},
                               {"certified", row.certified},
                               {"ulps", short_number(row.ulps)},
