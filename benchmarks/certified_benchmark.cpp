@@ -4,7 +4,10 @@
 
 #include "wavecurve/certified/connection_coefficients.hpp"
 #include "wavecurve/certified/find_filter.hpp"
+#include "wavecurve/certified/integrals/product_integrals.hpp"
 #include "wavecurve/certified/rounding.hpp"
+#include "wavecurve/filters/find_filter_bank.hpp"
+#include "wavecurve/integrals/product_integrals.hpp"
 
 namespace {
 
@@ -40,6 +43,44 @@ BENCHMARK(daubechies_mu_50_digits)
     ->Arg(10)
     ->Arg(19)
     ->Arg(38)
+    ->Complexity();
+
+wavecurve::ProductIntegral three_scaling_functions() { return {{{{}, false}, {{}}, {{}}}}; }
+
+/// int phi(x) phi(x - l) phi(x - m) dx of a Daubechies filter to 40 digits; the argument is its order.
+void three_terms_40_digits(benchmark::State& state) {
+  const std::string name = "db" + std::to_string(state.range(0));
+  constexpr long bits_of_40_digits = 136;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        product_integrals(find_filter(name), three_scaling_functions(), bits_of_40_digits));
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(three_terms_40_digits)
+    ->Unit(benchmark::kMillisecond)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(10)
+    ->Complexity();
+
+/// The same in double precision.
+void three_terms(benchmark::State& state) {
+  const auto bank = wavecurve::find_filter_bank("db" + std::to_string(state.range(0)));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(wavecurve::product_integrals(bank, three_scaling_functions()));
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(three_terms)
+    ->Unit(benchmark::kMillisecond)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(10)
     ->Complexity();
 
 /// The same as exact fractions.

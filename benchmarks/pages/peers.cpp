@@ -103,6 +103,12 @@ void add_coefficients(Pairs& pairs) {
               pairs.benchmark("certified_benchmark", "daubechies_mu_50_digits/" + order),
               pairs.script({"connection_mpmath.py", order, "50"}));
   }
+  for (const std::string order : {"3", "4"}) {
+    pairs.add({"coefficients", "db" + order + ", three factors, 40 digits", "mpmath",
+               "LU of the two-scale system, no bound of the error"},
+              pairs.benchmark("certified_benchmark", "three_terms_40_digits/" + order),
+              pairs.script({"three_terms_mpmath.py", order, "40"}));
+  }
 }
 
 void add_motion(Pairs& pairs) {

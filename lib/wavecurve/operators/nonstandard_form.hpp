@@ -18,7 +18,7 @@ struct NonstandardForm {
   Filter<double> a, b, c, r;
 };
 
-/// Throws std::invalid_argument unless the bank is orthonormal and the derivative within 0 ..
+/// Throws std::invalid_argument unless the bank is orthonormal and the derivative from 0 to
 /// highest_derivative, std::domain_error as product_integrals does.
 NonstandardForm nonstandard_form(const FilterBank<double>& bank, int derivative);
 
