@@ -21,7 +21,7 @@ class ExitCodes : public ProgramTest {
   }
 };
 
-TEST_F(ExitCodes, OfWhatIsNoInput) {
+TEST_F(ExitCodes, AreRightForBadInput) {
   for (const char* command :
        {"filter no.json", "coefficients no.json", "check no.csv", "stiffness no.json",
         "morph no.svg a.svg -o b.svg", "describe no.svg", "reconstruct no.json -o b.svg",
@@ -33,7 +33,7 @@ TEST_F(ExitCodes, OfWhatIsNoInput) {
   }
 }
 
-TEST_F(ExitCodes, OfACircleOfLinksAndOfANameThatIsTooLong) {
+TEST_F(ExitCodes, AreRightForALoopOfLinksAndANameThatIsTooLong) {
   for (const char* name : {"loop.json", "loop.csv", "loop.svg", "loop.csv.gz"}) {
     std::filesystem::create_symlink(name, folder_ / name);
   }
@@ -54,7 +54,7 @@ TEST_F(ExitCodes, OfACircleOfLinksAndOfANameThatIsTooLong) {
   }
 }
 
-TEST_F(ExitCodes, OfWhatIsNoCommandLine) {
+TEST_F(ExitCodes, AreRightForABadCommandLine) {
   for (const char* command : {"",
                               "filter",
                               "coefficients",
@@ -81,7 +81,7 @@ TEST_F(ExitCodes, OfWhatIsNoCommandLine) {
   }
 }
 
-TEST_F(ExitCodes, OfOutputThatCannotBeWritten) {
+TEST_F(ExitCodes, AreRightForOutputThatCannotBeWritten) {
   for (const char* command :
        {"stiffness db4 --samples 16 --output file/K.mtx", "morph a.svg a.svg -o file/b.svg",
         "describe a.svg -o file/b.json", "compare --samples 16 -o file/b",
@@ -93,7 +93,7 @@ TEST_F(ExitCodes, OfOutputThatCannotBeWritten) {
   }
 }
 
-TEST_F(ExitCodes, OfAFullStandardOutput) {
+TEST_F(ExitCodes, AreRightForAFullStandardOutput) {
   for (const char* command : {"--help", "--version", "filter db2", "filter --list", "check --help",
                               "verify --list", "bench compare --help"}) {
     const ProgramRun full = run("cd '" + folder_.string() + "' && { '" WAVECURVE_PROGRAM "' " +

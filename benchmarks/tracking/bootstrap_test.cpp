@@ -87,7 +87,7 @@ TEST(Bootstrap, SameSeedSameInterval) {
   EXPECT_NE(bootstrap_ratio(blocks, 0.99, 1).lower, bootstrap_ratio(blocks, 0.99, 2).lower);
 }
 
-TEST(Bootstrap, OfTwoGroups) {
+TEST(Bootstrap, ComparesTwoGroups) {
   std::mt19937_64 random(5);
   std::vector<double> a, b;
   for (int i = 0; i < 30; ++i) {

@@ -37,7 +37,7 @@ TEST(ChangePoints, NoneInNoise) {
   EXPECT_LE(with_any, 20);
 }
 
-TEST(ChangePoints, OfAFewValues) {
+TEST(ChangePoints, AreFoundAmongAFewValues) {
   EXPECT_EQ(change_points({}, 1), Points());
   EXPECT_EQ(change_points({1, 2}, 1), Points());
   EXPECT_EQ(change_points({1, 1, 1}, 1e-4), Points());

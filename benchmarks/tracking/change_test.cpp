@@ -8,7 +8,7 @@
 namespace wavecurve::tracking {
 namespace {
 
-TEST(Change, OfATimeNeedsIntervalAndThreshold) {
+TEST(Change, InATimeNeedsIntervalAndThreshold) {
   EXPECT_EQ(judge_time({1.10, 1.02, 1.15}, 0.05), Change::slower);
   EXPECT_EQ(judge_time({1.10, 0.99, 1.15}, 0.05), Change::inconclusive);  // holds 1
   EXPECT_EQ(judge_time({1.04, 1.02, 1.06}, 0.05), Change::inconclusive);  // not large enough
@@ -17,7 +17,7 @@ TEST(Change, OfATimeNeedsIntervalAndThreshold) {
   EXPECT_EQ(judge_time({0.90, 0.80, 1.01}, 0.05), Change::inconclusive);
 }
 
-TEST(Change, OfACountIsTheThreshold) {
+TEST(Change, InACountNeedsTheThresholdAlone) {
   EXPECT_EQ(judge_count(100000, 101000, 0.01), Change::slower);
   EXPECT_EQ(judge_count(100000, 100990, 0.01), Change::same);
   EXPECT_EQ(judge_count(101000, 100000, 0.01), Change::faster);

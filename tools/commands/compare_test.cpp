@@ -114,7 +114,7 @@ nlohmann::json without_times(const std::filesystem::path& file) {
   return study;
 }
 
-TEST_F(CompareCommand, GoesOnWhereItWasKilled) {
+TEST_F(CompareCommand, ResumesAfterAKill) {
   const std::string arguments =
       "compare --samples 16 --shape star --damping 0,0 --damping 0,0.1 --format csv "
       "--solvers decoupled,implicit-rosenbrock,implicit -o ";

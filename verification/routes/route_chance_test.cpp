@@ -8,7 +8,7 @@
 namespace wavecurve::verification {
 namespace {
 
-TEST(RouteChance, OfAtLeastSoManyEventsIsTheBinomialTail) {
+TEST(RouteChance, IsTheBinomialTail) {
   const std::vector<double> halves(10, 0.5);
   EXPECT_DOUBLE_EQ(chance_of_at_least(10, halves), std::pow(0.5, 10));
   EXPECT_DOUBLE_EQ(chance_of_at_least(9, halves), 11 * std::pow(0.5, 10));
@@ -22,7 +22,7 @@ TEST(RouteChance, OfAtLeastSoManyEventsIsTheBinomialTail) {
   EXPECT_EQ(chance_of_at_least(5, std::vector<double>{1, 1, 0.5, 0.1}), least_chance);
 }
 
-TEST(RouteChance, OfVeryManyEventsIsABoundThatIsNotLess) {
+TEST(RouteChance, IsAnUpperBoundForVeryManyEvents) {
   // 2,000 events are summed, twice as many bounded: that twice as many happen of both halves is at
   // least as probable as that each half has its share.
   for (const int happened : {600, 650, 700, 900, 1900}) {
@@ -37,7 +37,7 @@ TEST(RouteChance, OfVeryManyEventsIsABoundThatIsNotLess) {
   }
 }
 
-TEST(RouteChance, OfAnEntryIsOneInTheWidthOfItsError) {
+TEST(RouteChance, IsForAnEntryOneInTheWidthOfItsError) {
   // Twice the median is 4 units; the first is farther away, the last exactly right.
   const std::vector<EntryError> entries{{50, 1e-9, 0, 1}, {2, 1e-9, 0, 1}, {0.5, 1e-9, 0, 1},
                                         {3, 1e-9, 1, 1},  {1, 1e-9, 0, 1}, {0, 1e-9, 0, 1}};

@@ -23,7 +23,7 @@ dynamics::InitialValueProblem problem_of(const char* filter,
   return released(system, named_shape("ellipse", 32), Eigen::VectorXd::LinSpaced(5, 0, 0.9));
 }
 
-TEST(MotionError, OfAMultipleIsItsExcess) {
+TEST(MotionError, IsTheExcessOfAMultiple) {
   for (const char* filter : {"db4", "bspline4.4"}) {
     const dynamics::InitialValueProblem problem = problem_of(filter);
     const dynamics::Trajectory exact = dynamics::solve_spectral(problem);

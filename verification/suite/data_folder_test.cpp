@@ -28,14 +28,14 @@ class DataFolder : public testing::Test {
       fs::temp_directory_path() / ("wavecurve_data_" + std::to_string(::getpid()));
 };
 
-TEST_F(DataFolder, OfTheTestsIsTheSourceTrees) {
+TEST_F(DataFolder, IsTheSourceTreesForTheTests) {
   EXPECT_TRUE(fs::is_regular_file(data_folder() / "published" / "table_1.csv"));
   EXPECT_TRUE(fs::is_regular_file(data_folder() / "examples" / "three.svg"));
   EXPECT_TRUE(fs::is_regular_file(data_folder() / "reference" / "verdicts.json"));
   EXPECT_TRUE(fs::equivalent(data_folder() / "examples", source_tree() / "docs" / "examples"));
 }
 
-TEST_F(DataFolder, OfAnInstalledProgramStandsBesideIt) {
+TEST_F(DataFolder, StandsBesideAnInstalledProgram) {
   EXPECT_EQ(data_folder_of(prefix / "bin" / "wavecurve"), prefix / "share" / "wavecurve");
   EXPECT_TRUE(source_tree_of(prefix / "bin" / "wavecurve").empty());
 }
@@ -67,7 +67,7 @@ TEST_F(DataFolder, WithoutOneOfItsFilesIsRefused) {
   }
 }
 
-TEST_F(DataFolder, OfAMovedBuildTreeKnowsNoSources) {
+TEST_F(DataFolder, KnowsNoSourcesInAMovedBuildTree) {
   fs::create_directory_symlink(prefix / "gone", prefix / "share/wavecurve/source");
   EXPECT_TRUE(source_tree_of(prefix / "bin" / "wavecurve").empty());
 }

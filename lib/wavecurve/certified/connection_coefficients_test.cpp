@@ -71,7 +71,7 @@ TEST(ConnectionCoefficients, ReachTheAccuracyAskedForBeyondTheRangeOfDoubles) {
   EXPECT_FALSE(is_accurate(c, 2 * many_bits)) << "more was computed than was asked for";
 }
 
-TEST(ConnectionCoefficients, OfAnOddOrderAreExactlyZeroAtZero) {
+TEST(ConnectionCoefficients, AreExactlyZeroAtZeroForAnOddOrder) {
   for (const char* name : {"coif2", "cdf9.7", "db3"}) {
     EXPECT_EQ(enclosed(name, 0, 1).mu[0], Ball(0)) << name;
     EXPECT_EQ(enclosed(name, 0, 1).nu[0], Ball(0)) << name;

@@ -10,19 +10,19 @@
 namespace wavecurve::certified {
 namespace {
 
-TEST(RieszBounds, OfAnOrthonormalFamilyAreOne) {
+TEST(RieszBounds, AreOneForAnOrthonormalFamily) {
   const auto bounds = riesz_bounds(find_filter("sym4"));
   ASSERT_TRUE(bounds.has_value());
   EXPECT_TRUE(bounds->lower == Ball(1) && bounds->upper == Ball(1));
 }
 
-TEST(RieszBounds, OfOrthonormalTapsWithoutOrthonormalShiftsDoNotExist) {
+TEST(RieszBounds, DoNotExistForOrthonormalTapsWithoutOrthonormalShifts) {
   // phi = 1/3 on [0, 3].
   EXPECT_FALSE(
       riesz_bounds(define_user_filter({"mine", {0, {"1", "0", "0", "1"}}, {}, "2", {}, {}})));
 }
 
-TEST(RieszBounds, OfSplinesAreTheEulerFrobeniusValues) {
+TEST(RieszBounds, AreTheEulerFrobeniusValuesForSplines) {
   // G(0) = 1; G(pi) = 1/3 for the linear, 2/15 for the quadratic, 17/315 for the cubic spline.
   const std::pair<const char*, Rational> known[] = {{"bspline2.2", Rational(1, 3)},
                                                     {"bspline3.3", Rational(2, 15)},
@@ -70,7 +70,7 @@ TEST(RieszBounds, AreAsNarrowAsTheTapsAllow) {
 
 // The shifts of db3 are orthonormal, but the two sides do not say so, being printed with different
 // digits: the symbol is 1, but for errors, and every part could hold its minimum.
-TEST(RieszBounds, OfAFlatSymbolAreFoundInBoundedWork) {
+TEST(RieszBounds, AreFoundInBoundedWorkForAFlatSymbol) {
   UserFilter db3{"mine", {0, {"0.33267", "0.80689", "0.45988", "-0.13501", "-0.08544", "0.03523"}}};
   db3.dual = {0, {"0.332671", "0.806892", "0.459878", "-0.135011", "-0.085441", "0.035226"}};
   const auto bounds = riesz_bounds(define_user_filter(db3));
@@ -87,7 +87,7 @@ TEST(Symmetry, IsTold) {
   EXPECT_EQ(symmetry(haar.synthesis_high), Symmetry::antisymmetric);
 }
 
-TEST(WaveletSupport, OfDaubechiesHasTheLengthOfPhi) {
+TEST(WaveletSupport, HasTheLengthOfPhiForDaubechies) {
   const auto [first, last] = wavelet_support(find_filter("db4").bank(128));
   EXPECT_EQ(first, -3.0);
   EXPECT_EQ(last, 4.0);

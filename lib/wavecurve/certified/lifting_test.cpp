@@ -9,7 +9,7 @@
 namespace wavecurve::certified {
 namespace {
 
-TEST(LiftingSteps, OfTheFiveThreePairArePredictAndUpdate) {
+TEST(LiftingSteps, ArePredictAndUpdateForTheFiveThreePair) {
   const LiftingSteps lifting = lifting_steps(find_filter("bspline2.2"), 128);
   ASSERT_EQ(lifting.steps.size(), 2u);
   EXPECT_TRUE(lifting.steps[0].contains(Rational(-1, 2)));

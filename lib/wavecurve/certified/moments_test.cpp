@@ -12,7 +12,7 @@ namespace {
 
 constexpr long bits = 160;
 
-TEST(Moments, OfASplineAreThoseOfASumOfUniformVariables) {
+TEST(Moments, AreThoseOfASumOfUniformVariablesForASpline) {
   // bspline4.4: the sum of four uniform variables on an interval of length 1, mean 0, variance 4/12.
   const auto m = moments(find_filter("bspline4.4"), {}, 4, bits);
   const int expected[][2] = {{1, 1}, {0, 1}, {1, 3}, {0, 1}, {3, 10}};
@@ -21,13 +21,13 @@ TEST(Moments, OfASplineAreThoseOfASumOfUniformVariables) {
   }
 }
 
-TEST(Moments, OfCoifletsVanish) {
+TEST(Moments, VanishForCoiflets) {
   const auto m = moments(find_filter("coif2"), {}, 5, bits);
   for (std::size_t p = 1; p <= 3; ++p) EXPECT_TRUE(m[p].contains_zero()) << p;
   EXPECT_FALSE(m[5].contains_zero());
 }
 
-TEST(Moments, OfAWaveletVanishUpToTheOtherSidesZeros) {
+TEST(Moments, VanishForAWaveletUpToTheOtherSidesZeros) {
   const BasisFunction psi{.wavelet = true};
   for (const std::string name : {"db3", "cdf9.7", "bspline3.1"}) {
     const FilterDefinition definition = find_filter(name);

@@ -24,14 +24,14 @@ TEST(DyadicValues, ObeyTheTwoScaleRelationAndThePartitionOfUnity) {
   }
 }
 
-TEST(DyadicValues, OfD4AtOneAreKnownInClosedForm) {
+TEST(DyadicValues, AreKnownInClosedFormForD4AtOne) {
   const WorkingPrecision precision(bits);
   const auto values = dyadic_values(find_filter("db2"), {}, 0, bits);
   EXPECT_TRUE(values[1].overlaps((Ball(1) + sqrt(Ball(3))) / Ball(2)));
   EXPECT_TRUE(values[2].overlaps((Ball(1) - sqrt(Ball(3))) / Ball(2)));
 }
 
-TEST(DyadicValues, OfASplineAndItsDerivativeAreThoseOfItsPolynomials) {
+TEST(DyadicValues, AreThoseOfThePolynomialsOfASplineAndItsDerivative) {
   // The quadratic B-spline on [0, 3] from the publication's side, moved to its first index.
   const FilterDefinition definition = find_filter("bspline3.3");
   const int first = definition.bank(bits).synthesis_low.first_index;
@@ -44,7 +44,7 @@ TEST(DyadicValues, OfASplineAndItsDerivativeAreThoseOfItsPolynomials) {
   EXPECT_TRUE(slopes[2 * first + 3].contains(Rational(0)));
 }
 
-TEST(DyadicValues, OfAWaveletAreTheSameAtEveryLevel) {
+TEST(DyadicValues, AreTheSameAtEveryLevelForAWavelet) {
   const FilterDefinition definition = find_filter("coif2");
   const BasisFunction psi{.wavelet = true};
   const auto integers = dyadic_values(definition, psi, 0, bits);

@@ -13,7 +13,7 @@
 namespace wavecurve::certified {
 namespace {
 
-TEST(SobolevExponent, OfSplinesIsTheOrderLessAHalf) {
+TEST(SobolevExponent, IsTheOrderLessAHalfForSplines) {
   for (int order = 1; order <= 9; ++order) {
     const Ball s = sobolev_exponent(
         find_filter("bspline" + std::to_string(order) + "." + std::to_string(order)));
@@ -22,13 +22,13 @@ TEST(SobolevExponent, OfSplinesIsTheOrderLessAHalf) {
   }
 }
 
-TEST(SobolevExponent, OfDb2IsExactlyOne) {
+TEST(SobolevExponent, IsExactlyOneForDb2) {
   const Ball s = sobolev_exponent(find_filter("db2"));
   EXPECT_TRUE(s.contains(Rational(1)));
   EXPECT_LT(s.radius_double(), 1e-12);
 }
 
-TEST(SobolevExponent, OfDb3HasItsClosedForm) {
+TEST(SobolevExponent, HasAClosedFormForDb3) {
   // |q|^2 = 1 + 3y + 6y^2 has the cosine coefficients 19/4, -9/4, 3/8, so that T = [[19/2, -9],
   // [3/4, -9/2]] with the characteristic polynomial x^2 - 5x - 36 and rho = 9: s = 3 - log_4 9.
   const WorkingPrecision precision(128);
@@ -59,7 +59,7 @@ TEST(SobolevExponent, MatchesThePublishedFigures) {
   }
 }
 
-TEST(SobolevExponent, OfTheDualMayBeNegative) {
+TEST(SobolevExponent, MayBeNegativeForTheDual) {
   EXPECT_LT(sobolev_exponent(dual(find_filter("bspline3.1"))).to_double(), 0);
   const Ball dual_of_dual = sobolev_exponent(dual(dual(find_filter("cdf9.7"))));
   EXPECT_TRUE(dual_of_dual.overlaps(sobolev_exponent(find_filter("cdf9.7"))));
@@ -80,7 +80,7 @@ FilterDefinition box_over(int n) {
 }
 
 // The work is bounded: without that the last took minutes.
-TEST(SobolevExponent, OfManyTapsIsEnclosedAsFarAsTheWorkGoes) {
+TEST(SobolevExponent, IsEnclosedInBoundedWorkForManyTaps) {
   // With n a multiple of 3 the cycle of 2 pi / 3 has |q|^2 = 4 at both of its points: rho = 4.
   for (const int n : {9, 45, 99, 195}) {
     const Ball s = sobolev_exponent(box_over(n));
@@ -109,7 +109,7 @@ TEST(SobolevExponent, IsAsAccurateAsTheTapsAllow) {
 }
 
 // With all zeros divided out, the errors of these are multiplied by 2^30, and nothing is known.
-TEST(SobolevExponent, OfALongTableIsKnownByTheZerosThatItTakes) {
+TEST(SobolevExponent, IsKnownForALongTableByTheZerosThatItTakes) {
   const auto truth = find_filter("db30");
   UserFilter user{"mine", {0, {}}};
   for (const Ball& tap : truth.bank(200).synthesis_low.taps) {

@@ -73,7 +73,7 @@ TEST(Descriptor, GivesTheSamplesAgain) {
   }
 }
 
-TEST(Descriptor, OfTheCoarsestScaleLiesNearBy) {
+TEST(Descriptor, LiesNearTheContourAtTheCoarsestScale) {
   const Drawing drawing = two_layers();
   const FilterBank<double> bank = find_filter_bank("bspline4.4");
   const DescriptorOptions options{128, 3, SampleMode::samples, Corners::ignored};
@@ -90,7 +90,7 @@ TEST(Descriptor, OfTheCoarsestScaleLiesNearBy) {
 }
 
 /// Filters that are symmetric about 0 keep the two ways together; others part them.
-TEST(Descriptor, OfAStrokeIsAStrokeAtEveryScale) {
+TEST(Descriptor, KeepsAStrokeAStrokeAtEveryScale) {
   const Drawing drawing = two_layers();
   const DescriptorOptions options{128, 4, SampleMode::samples, Corners::ignored};
   const auto gap = [&](const char* name, Eigen::Index scale) {

@@ -137,7 +137,7 @@ TEST(FitCubics, RefusesKeysThatDoNotBelongTogether) {
   EXPECT_THROW(fit_cubics({square(4)}, -1), std::invalid_argument);
 }
 
-TEST(FitCubics, OfAnOpenLineEndWithItsLastPoint) {
+TEST(FitCubics, EndWithTheLastPointOfAnOpenLine) {
   // A line with a corner, and a quarter of a circle.
   Contour corner(9, 2), arc(65, 2);
   for (Eigen::Index i = 0; i < 9; ++i) {
@@ -167,7 +167,7 @@ TEST(FitCubics, OfAnOpenLineEndWithItsLastPoint) {
 }
 
 // The directions about a point are roundings: they make no corners.
-TEST(FitCubics, OfWhatShrinksToAPointHaveFewVertices) {
+TEST(FitCubics, HaveFewVerticesForWhatShrinksToAPoint) {
   Contour line(257, 2), point(257, 2);
   for (Eigen::Index i = 0; i < 257; ++i) {
     const double share = static_cast<double>(i) / 256, noise = i % 3 == 0 ? 1e-15 : -1e-15;

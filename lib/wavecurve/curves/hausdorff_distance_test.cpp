@@ -20,7 +20,7 @@ RC_GTEST_PROP(HausdorffDistance, IsThatOfEveryPointWithEverySide, ()) {
   RC_ASSERT(hausdorff_distance(a, b) == plain::hausdorff_distance(a, b));
 }
 
-TEST(HausdorffDistance, OfSquares) {
+TEST(HausdorffDistance, IsKnownForSquares) {
   Contour inner(4, 2), outer(4, 2);
   inner << 1, 1, 3, 1, 3, 3, 1, 3;
   outer << 0, 0, 4, 0, 4, 4, 0, 4;

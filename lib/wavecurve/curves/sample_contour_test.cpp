@@ -65,7 +65,7 @@ TEST(SampleContour, IsClockwise) {
 }
 
 /// The exact area is the limit of the polygons': they miss the square of the spacing.
-TEST(SignedArea, OfCurvesIsTheLimitOfPolygons) {
+TEST(SignedArea, IsTheLimitOfPolygonsForCurves) {
   const double area = signed_area(lens());
   const double coarse = signed_area(sample_contour(lens(), 512)) - area;
   const double fine = signed_area(sample_contour(lens(), 1024)) - area;

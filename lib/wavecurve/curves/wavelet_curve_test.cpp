@@ -111,7 +111,7 @@ TEST(WaveletCurve, HasTheDerivativesOfItsPoints) {
 
 /// A circle of radius r through 256 points: the spline is of order 4, so that its curvature errs by
 /// about the square of the spacing, 6e-4.
-TEST(WaveletCurve, OfACircleHasItsCurvature) {
+TEST(WaveletCurve, HasTheCurvatureOfACircle) {
   constexpr Eigen::Index count = 256;
   constexpr double radius = 5;
   Contour circle(count, 2);

@@ -56,7 +56,7 @@ TEST(SchulzInverse, SaysWhereRoundingEndsIt) {
   EXPECT_LT(result.residuals.size(), 60u);
 }
 
-TEST(SchulzInverse, OfASingularMatrixIsThePseudoInverse) {
+TEST(SchulzInverse, IsThePseudoInverseOfASingularMatrix) {
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(12, 12);
   const Eigen::MatrixXd u = random_orthogonal(12), v = random_orthogonal(12);
   Eigen::MatrixXd pseudo = c;

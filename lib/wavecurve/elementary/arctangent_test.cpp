@@ -48,7 +48,7 @@ TEST(Arctangent, IsWithinTheProvedBound) {
   RecordProperty("units", std::to_string(largest));
 }
 
-TEST(Arctangent, OfSpecialValuesIsThatOfTheStandard) {
+TEST(Arctangent, FollowsTheStandardForSpecialValues) {
   for (const double y : {0.0, 1.0, 0x1p-1074, 1e308, infinity}) {
     for (const double x : {0.0, 1.0, 0x1p-1074, 1e308, infinity}) {
       for (const double up : {y, -y}) {

@@ -70,7 +70,7 @@ TEST(Exponential, MinusOneIsWithinTheProvedBound) {
   RecordProperty("units", std::to_string(largest));
 }
 
-TEST(Exponential, OfSpecialValues) {
+TEST(Exponential, FollowsTheStandardForSpecialValues) {
   EXPECT_EQ(bits_of({exponential(0.0), exponential(-0.0), exponential(infinity),
                      exponential(-infinity), exponential(1e300), exponential(-1e300)}),
             bits_of({1.0, 1.0, infinity, 0.0, infinity, 0.0}));
@@ -82,7 +82,7 @@ TEST(Exponential, OfSpecialValues) {
   EXPECT_TRUE(std::isnan(exponential(std::nan(""))));
 }
 
-TEST(Exponential, OfComplexNumbersAndTheirHyperbolicSine) {
+TEST(Exponential, AgreesForComplexNumbersAndTheirHyperbolicSine) {
   const certified::WorkingPrecision precision(200);
   const std::vector<double> parts = numbers_of_all_sizes(4000, -20, 6);
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
@@ -120,7 +120,7 @@ std::vector<double> results_of_arrays() {
   return results;
 }
 
-TEST(Exponential, OfArraysHasTheTwinsBitsOnEveryTarget) {
+TEST(Exponential, HasTheTwinsBitsForArraysOnEveryTarget) {
   expect_the_same_bits_on_every_target([] { return bits_of(results_of_arrays()); });
 }
 

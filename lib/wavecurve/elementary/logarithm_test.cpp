@@ -33,7 +33,7 @@ TEST(Logarithm, IsWithinTheProvedBound) {
   RecordProperty("units", std::to_string(largest));
 }
 
-TEST(Logarithm, OfSpecialValues) {
+TEST(Logarithm, FollowsTheStandardForSpecialValues) {
   EXPECT_EQ(bits_of({logarithm(1), logarithm(0.0), logarithm(-0.0), logarithm(infinity)}),
             bits_of({0.0, -infinity, -infinity, infinity}));
   EXPECT_TRUE(std::isnan(logarithm(-1)));

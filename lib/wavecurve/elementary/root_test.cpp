@@ -29,7 +29,7 @@ TEST(Root, IsExactForWholePowers) {
   }
 }
 
-TEST(Root, OfSpecialValues) {
+TEST(Root, FollowsTheStandardForSpecialValues) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(root(0, 5), 0);
   EXPECT_EQ(root(infinity, 5), infinity);

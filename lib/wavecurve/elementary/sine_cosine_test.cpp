@@ -76,7 +76,7 @@ TEST(SineCosine, AreWithinTheProvedBoundAtNumbersOfAllSizes) {
   expect_within_the_bounds(numbers_of_all_sizes(10000, -1070, 1024));
 }
 
-TEST(SineCosine, OfSpecialValues) {
+TEST(SineCosine, FollowTheStandardForSpecialValues) {
   EXPECT_EQ(bits_of({sine(0.0), sine(-0.0), cosine(0.0), cosine(-0.0)}),
             bits_of({0.0, -0.0, 1.0, 1.0}));
   EXPECT_EQ(sine(0x1p-1074), 0x1p-1074);
@@ -123,7 +123,7 @@ std::vector<double> results_of_arrays() {
   return results;
 }
 
-TEST(SineCosine, OfArraysHaveTheTwinsBitsOnEveryTarget) {
+TEST(SineCosine, HaveTheTwinsBitsForArraysOnEveryTarget) {
   expect_the_same_bits_on_every_target([] { return bits_of(results_of_arrays()); });
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr BasisFunction phi{}, slope{.derivative = 1};
 constexpr double tolerance = 1e-12;  // sums of a hundred numbers of unit size
 
-TEST(PeriodicIntegrals, OfConstantsAreThoseOfTheLine) {
+TEST(PeriodicIntegrals, AreThoseOfTheLineForConstants) {
   // With period 1 phi is the constant 1, by the partition of unity, and phi' is 0.
   for (const std::string name : {"db3", "cdf9.7"}) {
     const auto bank = find_filter_bank(name);

@@ -50,7 +50,7 @@ TEST(ScalingValues, AreTheCertifiedOnesAtTheIntegers) {
   }
 }
 
-TEST(ScalingValues, OfTheCubicSplineAreItsPolynomials) {
+TEST(ScalingValues, AreThePolynomialsOfTheCubicSpline) {
   const DyadicValues phi = scaling_values(find_filter_bank<double>("bspline4.4"), 6);
   const auto power = [](double x) { return x > 0 ? x * x * x : 0; };
   for (Eigen::Index i = 0; i < phi.values.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(ScalingValues, OfTheCubicSplineAreItsPolynomials) {
 }
 
 /// sum_l phi(x - l) = 1, and its derivatives vanish, at every point of a fine grid.
-TEST(ScalingValues, OfAllShiftsAddUpToOne) {
+TEST(ScalingValues, AddUpToOneOverAllShifts) {
   constexpr int level = 8;
   for (const Case& c : cases) {
     const FilterBank<double> bank = find_filter_bank<double>(c.name);
@@ -79,7 +79,7 @@ TEST(ScalingValues, OfAllShiftsAddUpToOne) {
 }
 
 /// The trapezoidal rule: the derivative of order d adds up to differences of the one below.
-TEST(WaveletValues, OfADerivativeIntegrateToTheWavelet) {
+TEST(WaveletValues, IntegrateToTheWaveletForADerivative) {
   constexpr int level = 12;
   for (const char* name : {"db4", "db10", "bspline4.4", "cdf9.7"}) {
     const FilterBank<double> bank = find_filter_bank<double>(name);

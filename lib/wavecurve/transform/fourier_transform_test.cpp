@@ -12,7 +12,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-TEST(FourierTransform, OfShortLengthsIsTheSum) {
+TEST(FourierTransform, IsTheSumForShortLengths) {
   for (const Eigen::Index n : {1, 2, 4, 8, 64}) {
     Eigen::VectorXcd x = Eigen::VectorXcd::Random(n), expected = Eigen::VectorXcd::Zero(n);
     for (Eigen::Index k = 0; k < n; ++k) {

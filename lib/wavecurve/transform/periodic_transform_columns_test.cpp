@@ -155,10 +155,10 @@ void expect_fused_levels_to_give_the_same_bits() {
   }
 }
 
-TEST(PeriodicTransformColumns, OfLongSignalsAreTheLevelsOneByOneInDouble) {
+TEST(PeriodicTransformColumns, EqualTheLevelsOneByOneForLongSignalsInDouble) {
   expect_fused_levels_to_give_the_same_bits<double>();
 }
-TEST(PeriodicTransformColumns, OfLongSignalsAreTheLevelsOneByOneInFloat) {
+TEST(PeriodicTransformColumns, EqualTheLevelsOneByOneForLongSignalsInFloat) {
   expect_fused_levels_to_give_the_same_bits<float>();
 }
 
@@ -177,7 +177,7 @@ TEST(PeriodicTransformColumns, AreNotCopiedToBeSeen) {
   EXPECT_EQ(sees(part), &x(1, 2));
 }
 
-TEST(PeriodicTransformColumns, OfWrongNumbersAreRefused) {
+TEST(PeriodicTransformColumns, AreRefusedInWrongNumbers) {
   const Transform<double> transform(find_filter_bank("db4"), 8, 2);
   Eigen::MatrixXd x(8, 5), y(8, 4), z(9, 5), u(8, 5);
   Eigen::VectorXd workspace(transform.workspace_size(5)), small(transform.workspace_size(5) - 1);

@@ -111,7 +111,7 @@ void expect_quadrature(const std::string& filter, const ProductIntegral& integra
   }
 }
 
-TEST(ProductIntegrals, OfSplinesAreThoseOfTheirPolynomials) {
+TEST(ProductIntegrals, AgreeWithTheIntegralsOfSplinePolynomials) {
   expect_quadrature("bspline3.3", over_line({slope, phi}));
   expect_quadrature("bspline3.3", over_line({phi, slope, psi}));
   expect_quadrature("bspline4.4", over_line({derived(phi, 2), phi, slope}));
@@ -119,7 +119,7 @@ TEST(ProductIntegrals, OfSplinesAreThoseOfTheirPolynomials) {
   expect_quadrature("bspline3.1", over_line({phi, slope, phi, phi}));
 }
 
-TEST(ProductIntegrals, OfSplinesWithPowersAndOnIntervals) {
+TEST(ProductIntegrals, AgreeWithSplinePolynomialsWithPowersAndOnIntervals) {
   expect_quadrature("bspline3.3", over_line({slope, phi}, 2));
   expect_quadrature("bspline3.3", over_line({phi}, 3));
   expect_quadrature("bspline4.4", over({0, 1, 0}, {phi, derived(phi, 2)}));
@@ -129,7 +129,7 @@ TEST(ProductIntegrals, OfSplinesWithPowersAndOnIntervals) {
   expect_quadrature("bspline2.2", over({0, 1, 0}, {phi}, 2));
 }
 
-TEST(ProductIntegrals, OfSplinesOfFinerLevels) {
+TEST(ProductIntegrals, AgreeWithSplinePolynomialsOnFinerLevels) {
   expect_quadrature("bspline3.3", {{{phi, false, 0}, {psi, true, 1}}});
   expect_quadrature("bspline2.2", {{{phi, false, 1}, {phi, true, 0}, {phi, true, 0}}});
   expect_quadrature("bspline3.3",
@@ -201,7 +201,7 @@ TEST(ProductIntegrals, IntegrateByPartsAndAreSymmetric) {
   }
 }
 
-TEST(ProductIntegrals, OfTwoFactorsAreMuAndNu) {
+TEST(ProductIntegrals, AreMuAndNuForTwoFactors) {
   const WorkingPrecision precision(bits);
   for (const std::string name : {"db3", "db6", "coif2", "bspline4.4", "cdf9.7"}) {
     for (const auto& [p, q] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
@@ -307,7 +307,7 @@ TEST(ProductIntegrals, PowersAloneGiveMoments) {
   }
 }
 
-TEST(ProductIntegrals, OfPowersWithTwoFactorsCollapseToMoments) {
+TEST(ProductIntegrals, CollapseToMomentsForPowersWithTwoFactors) {
   // sum_l phi(x - l) = 1.
   const WorkingPrecision precision(bits);
   const auto known = moments(find_filter("db4"), phi, 3, 200);

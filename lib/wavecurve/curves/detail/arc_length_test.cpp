@@ -47,14 +47,14 @@ double parabola_length(const BezierSegment& bezier) {
   return static_cast<double>(std::sqrt(bb) * (primitive(u + 1) - primitive(u)));
 }
 
-TEST(ArcLength, OfALineIsItsChord) {
+TEST(ArcLength, IsTheChordOfALine) {
   const BezierSegment line = segment({{1, 2}, {4, -2}});
   EXPECT_EQ(arc_length(line), 5);
   const Eigen::Vector2d quarter = ArcLength(one(line)).point(1.25);
   EXPECT_EQ(quarter, Eigen::Vector2d(1.75, 1));
 }
 
-RC_GTEST_PROP(ArcLength, OfAParabolaIsItsClosedForm, ()) {
+RC_GTEST_PROP(ArcLength, HasAClosedFormForAParabola, ()) {
   const BezierSegment bezier = segment({anywhere(), anywhere(), anywhere()});
   const double expected = parabola_length(bezier);
   RC_PRE(expected > 0);
@@ -62,7 +62,7 @@ RC_GTEST_PROP(ArcLength, OfAParabolaIsItsClosedForm, ()) {
 }
 
 /// Nearly collinear, turning back: a cusp that is just not one.
-TEST(ArcLength, OfNearlyDegenerateParabolasIsTheirClosedForm) {
+TEST(ArcLength, HasAClosedFormForNearlyDegenerateParabolas) {
   for (int e = 1; e <= 40; ++e) {
     const double height = std::ldexp(1.0, -e);
     const BezierSegment bezier = segment({{0, 0}, {3, height}, {1, 0}});
@@ -86,7 +86,7 @@ double semicubical_length(double c, double s) {
   return static_cast<double>(square * (root * root + 2 * root + 4) / (3 * (root + 2)));
 }
 
-TEST(ArcLength, OfACuspIsItsClosedForm) {
+TEST(ArcLength, HasAClosedFormForACusp) {
   for (double c : {1.0, 0.25, 4.0, 1e-3, 1e-9}) {
     for (double a : {-1.0, -0.5, -0.0625, 0.0}) {
       const BezierSegment bezier = semicubical(c, a, 1);
@@ -116,7 +116,7 @@ struct Pythagorean {
   }
 };
 
-RC_GTEST_PROP(ArcLength, OfAPythagoreanHodographIsAPolynomial, ()) {
+RC_GTEST_PROP(ArcLength, IsAPolynomialForAPythagoreanHodograph, ()) {
   const double small = std::ldexp(1.0, -*rc::gen::inRange(0, 30));
   const Pythagorean curve{coordinate(), coordinate(), small * coordinate(), small * coordinate()};
   const double length = curve.length_to(1);
@@ -153,7 +153,7 @@ std::optional<double> fine_length(const BezierSegment& bezier) {
   return static_cast<double>(length);
 }
 
-RC_GTEST_PROP(ArcLength, OfACubicIsThatOfFineQuadrature, ()) {
+RC_GTEST_PROP(ArcLength, AgreesWithFineQuadratureForACubic, ()) {
   const BezierSegment bezier = segment({anywhere(), anywhere(), anywhere(), anywhere()});
   const std::optional<double> expected = fine_length(bezier);
   RC_PRE(expected.has_value());
@@ -161,7 +161,7 @@ RC_GTEST_PROP(ArcLength, OfACubicIsThatOfFineQuadrature, ()) {
 }
 
 /// Collinear and overshooting at both ends: the distances between the turns add up.
-TEST(ArcLength, OfACollinearCubicCountsItsTurns) {
+TEST(ArcLength, CountsTheTurnsOfACollinearCubic) {
   const BezierSegment bezier = segment({{0, 0}, {4, 8}, {-3, -6}, {1, 2}});
   const auto x = [](double s) {
     return 12 * s * (1 - s) * (1 - s) - 9 * s * s * (1 - s) + s * s * s;

@@ -278,7 +278,7 @@ TEST_F(SharedTracks, TheFoxIsReadAndItsStartsAreTracked) {
   }
 }
 
-TEST_F(SharedTracks, OfTheHorseTheOutlineIsReadAndHolesThatComeAndGoAreRefused) {
+TEST_F(SharedTracks, TheHorsesOutlineIsReadAndHolesThatComeAndGoAreRefused) {
   const gait::LimbTracks tracks = read("animal_frames/muybridge_horse.csv", {.limbs = {"0"}});
   EXPECT_EQ(tracks.times.size(), 13);
   ASSERT_EQ(tracks.limbs.size(), 1U);

@@ -44,7 +44,7 @@ double chosen_error(const gait::GaitParameters& parameters) {
   return std::sqrt(squares / count);
 }
 
-TEST(RecordedGait, OfATrottingDog) {
+TEST(RecordedGait, FitsATrottingDog) {
   if (!std::filesystem::exists(records)) GTEST_SKIP() << "no " << records;
   const gait::GaitFit fit = fitted("dog_trot_limb_contours.csv.gz", 128);
   // 60 frames a second, half a second a cycle; over ground 1.95 m/s (dog_trot_joints.csv).
@@ -70,7 +70,7 @@ TEST(RecordedGait, OfATrottingDog) {
   EXPECT_LE(chosen_error(fit.parameters), 0.01);
 }
 
-TEST(RecordedGait, OfAFoxIsOneCycle) {
+TEST(RecordedGait, IsOneCycleForAFox) {
   if (!std::filesystem::exists(records)) GTEST_SKIP() << "no " << records;
   const gait::GaitFit fit = fitted("fox_walk_limb_contours.csv.gz", 32);
   EXPECT_TRUE(fit.cycle.is_loop);
@@ -78,7 +78,7 @@ TEST(RecordedGait, OfAFoxIsOneCycle) {
   EXPECT_LE(chosen_error(fit.parameters), 0.01);
 }
 
-TEST(RecordedGait, OfAGallopingDogLooksLeft) {
+TEST(RecordedGait, LooksLeftForAGallopingDog) {
   if (!std::filesystem::exists(records)) GTEST_SKIP() << "no " << records;
   const gait::GaitFit fit = fitted("dog_gallop_joints.csv", 32);
   EXPECT_EQ(fit.cycle.facing, -1);

@@ -59,7 +59,7 @@ RC_GTEST_PROP(ColourLine, IsNearTheLineInOklab, ()) {
   }
 }
 
-TEST(ColourLine, OfEqualColoursHasTwoStops) {
+TEST(ColourLine, HasTwoStopsForEqualColours) {
   EXPECT_EQ(colour_line({0.2, 0.4, 0.6}, {0.2, 0.4, 0.6}).size(), 2u);
 }
 

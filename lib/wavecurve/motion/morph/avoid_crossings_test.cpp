@@ -75,7 +75,7 @@ TEST(Crossings, CountsThoseOfTheFrames) {
   EXPECT_GT(std::accumulate(counts.begin(), counts.end(), Index{0}), 0);
 }
 
-TEST(Crossings, OfAStrokeThereAndBackCountOnce) {
+TEST(Crossings, CountOnceForAStrokeThereAndBack) {
   Subpath loop;
   const double corners[][2] = {{0, 0}, {4, 4}, {4, 0}, {0, 3}};
   for (int i = 0; i < 3; ++i) {
@@ -121,7 +121,7 @@ TEST(AvoidCrossings, NeedsAMorph) {
 }
 
 /// Animal outlines of the MPEG-7 benchmark, 1024 points each: no crossings, both ends exact.
-TEST(AvoidCrossings, OfSilhouettes) {
+TEST(AvoidCrossings, WorksForSilhouettes) {
   const std::filesystem::path folder = WAVECURVE_SOURCE_DIR "/../shared/data/silhouettes";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
   const auto outline = [&](const std::string& name) {

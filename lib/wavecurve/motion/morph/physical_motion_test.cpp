@@ -105,7 +105,7 @@ TEST(PhysicalMotion, IsLinear) {
 
 // At a scale the control points move by the leading blocks of the matrices of all points: here by
 // their eigenvectors, without damping q(t) = V cos(omega t) V^T M q(0).
-TEST(PhysicalMotion, OfAScaleIsTheTruncatedProblem) {
+TEST(PhysicalMotion, IsTheTruncatedProblemAtAScale) {
   Morph morph = morph_of(rosette(2), rosette(5), scale);
   morph.detail = Detail::drop;
   PhysicalOptions options;

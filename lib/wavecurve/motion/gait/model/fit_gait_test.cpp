@@ -147,7 +147,7 @@ TEST(FitGait, ChoosesByCyclesThatAreLeftOut) {
   }
 }
 
-TEST(FitGait, OfOneSideIsEnough) {
+TEST(FitGait, NeedsOneSideOnly) {
   PlantedGait plan;
   plan.frames_a_cycle = 200;
   LimbTracks left = plan.tracks();

@@ -146,7 +146,7 @@ TEST(LimbPath, HasNoCornersOnRequest) {
   }
 }
 
-TEST(LimbPath, OfAPointIsThePointOfThePath) {
+TEST(LimbPath, MovesEachPointAsThePath) {
   const LimbPath path = random_path(4), point = path_of_point(path, 2);
   for (double u : {0.0, 0.35, 0.77}) {
     EXPECT_EQ(pose_at(path, u).row(2), pose_at(point, u).row(0));

@@ -65,7 +65,7 @@ TEST(GaitCycle, IsFoundInNoiseAndAtUnevenTimes) {
   expect_planted(plan, analyse_cycle(sparse), 0.08);
 }
 
-TEST(GaitCycle, OfARecordThatClosesIsALoop) {
+TEST(GaitCycle, IsALoopForARecordThatCloses) {
   PlantedGait plan;
   plan.cycles = 1 - 1.0 / plan.frames_a_cycle;  // the frame after the last is the first
   const GaitCycle cycle = analyse_cycle(plan.tracks());

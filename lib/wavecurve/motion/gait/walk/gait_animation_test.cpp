@@ -108,7 +108,7 @@ TEST(GaitAnimation, StandingFeetDoNotSlide) {
   }
 }
 
-TEST(GaitAnimation, OfTheOtherSideIsMirrored) {
+TEST(GaitAnimation, IsMirroredForTheOtherSide) {
   const motion::Animation right =
       animate_gait(planted_parameters(1), dog(1), some_options()).animation;
   // The record looks left, the drawing right; and the record right, the drawing left.

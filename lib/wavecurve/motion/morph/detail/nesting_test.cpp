@@ -37,7 +37,7 @@ TEST(InteriorPoint, LiesInsideACrescent) {
   EXPECT_EQ(std::abs(winding_number(square(1, false), interior_point(square(1, false)))), 1);
 }
 
-TEST(InteriorPoint, OfALineIsOnIt) {
+TEST(InteriorPoint, LiesOnALine) {
   Contour line(4, 2);
   line << 0, 0, 1, 0, 2, 0, 1, 0;
   EXPECT_EQ(interior_point(line), Eigen::Vector2d(1, 0));

@@ -105,7 +105,7 @@ TEST(Orientation, FillsAsTheOutlineDoes) {
   }
 }
 
-TEST(Orientation, OfContoursThatCrossOrTouchEachOther) {
+TEST(Orientation, IsRightForContoursThatCrossOrTouch) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<Contour> outline;
@@ -120,7 +120,7 @@ TEST(Orientation, OfContoursThatCrossOrTouchEachOther) {
   }
 }
 
-TEST(Orientation, OfHolesWhoseFirstVertexLiesElsewhere) {
+TEST(Orientation, IsRightForHolesWhoseFirstVertexLiesElsewhere) {
   const Contour body = polygon({{10, 20}, {90, 20}, {90, 90}, {10, 90}});
   const Contour tab = polygon({{40, 10}, {60, 10}, {60, 30}, {40, 30}});
   const Contour hole = polygon({{50, 25}, {20, 80}, {80, 80}});
@@ -148,7 +148,7 @@ TEST(Orientation, OuterContoursClockwiseHolesNot) {
   EXPECT_TRUE(turns(back, std::nullopt));
 }
 
-TEST(Orientation, OfBoxesWithHorizontalEdges) {
+TEST(Orientation, IsRightForBoxesWithHorizontalEdges) {
   std::vector<Contour> boxes;
   for (int i = 0; i < 40; ++i) {
     Contour box(8, 2);  // with the middles of its sides
@@ -172,7 +172,7 @@ TEST(Orientation, EndInAnyOutline) {
   EXPECT_EQ(oriented(outline, FillRule::evenodd).contours.size(), outline.size());
 }
 
-TEST(Orientation, OfAHundredThousandNestedContoursTakeSeconds) {
+TEST(Orientation, TakesSecondsForAHundredThousandNestedContours) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Contour> outline;
   std::mt19937 random(1);
