@@ -92,6 +92,6 @@
 #include "wavecurve/transform/dyadic_values.hpp"
 #include "wavecurve/transform/fourier_transform.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
-#include "wavecurve/transform/transform_batch.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 #include "wavecurve/transform/synthesis_matrix.hpp"
+#include "wavecurve/transform/transform_batch.hpp"
