@@ -36,12 +36,21 @@ auto interruptible(Work work) -> decltype(work()) {
   using Result = decltype(work());
   auto task = std::make_shared<std::packaged_task<Result()>>(std::move(work));
   std::future<Result> future = task->get_future();
-  std::thread([task = std::move(task)]() mutable {
+  std::thread worker([task = std::move(task)]() mutable {
     (*task)();
     task.reset();
     flint_cleanup();
-  }).detach();
-  wait_for(future);
+  });
+  try {
+    wait_for(future);
+  } catch (...) {
+    worker.detach();
+    throw;
+  }
+  {
+    const py::gil_scoped_release release;
+    worker.join();
+  }
   return future.get();
 }
 

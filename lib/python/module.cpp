@@ -1,9 +1,10 @@
 // wavecurve._native: the library as Python's package wavecurve calls it. Here arguments and results are
 // converted; what is computed, and every message, is the library's.
-#include <new>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl/filesystem.h>
+#include <regex>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "python/topics.hpp"
@@ -20,12 +21,25 @@ void set_os_error(const std::system_error& error) {
   PyErr_SetObject(PyExc_OSError, args.ptr());
 }
 
+/// Where a filter is not smooth enough, the exponents are attributes as well: found and needed.
+void set_arithmetic_error(const std::string& message) {
+  static const std::regex exponents(
+      "Sobolev exponent is ([-0-9.]+), but it must exceed ([-0-9.]+)");
+  const py::object error = py::handle(PyExc_ArithmeticError)(message);
+  std::smatch numbers;
+  if (std::regex_search(message, numbers, exponents)) {
+    error.attr("found") = py::float_(py::str(numbers[1].str()));
+    error.attr("needed") = py::float_(py::str(numbers[2].str()));
+  }
+  PyErr_SetObject(PyExc_ArithmeticError, error.ptr());
+}
+
 /// Bad arguments are ValueError, numbers that do not exist ArithmeticError, files and the machine OSError.
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const std::domain_error& error) {
-    PyErr_SetString(PyExc_ArithmeticError, error.what());
+    set_arithmetic_error(error.what());
   } catch (const std::system_error& error) {
     set_os_error(error);
   }

@@ -1,4 +1,5 @@
 """Connection coefficients of every kind, held against the program's JSON."""
+import pickle
 from decimal import Decimal
 from fractions import Fraction
 
@@ -104,6 +105,7 @@ def test_missing_smoothness_tells_both_exponents():
     with pytest.raises(ArithmeticError, match=r"Sobolev exponent is 1\.000, but it must exceed 1\.0") as caught:
         wavecurve.coefficients("D4")
     assert not isinstance(caught.value, ValueError)
+    assert (caught.value.found, caught.value.needed) == (1.0, 1.0)
     with pytest.raises(ArithmeticError, match="must exceed"):
         wavecurve.integrals("db2", "phi' phi'(l)")
 
@@ -126,6 +128,11 @@ def test_bad_arguments_are_value_errors(call):
     with pytest.raises(ValueError) as caught:
         call()
     assert str(caught.value)
+
+
+def test_numbers_are_pickled():
+    found = wavecurve.coefficients("db3", digits=10)
+    assert pickle.loads(pickle.dumps(found)) == found
 
 
 def test_tables_show_themselves():

@@ -1,5 +1,6 @@
 """check and identify, held against the program's JSON."""
 import math
+import pickle
 from decimal import Decimal
 
 import numpy
@@ -58,6 +59,11 @@ def test_departing_digits_are_marked_in_colour():
     html = found._repr_html_()
     assert "<mark" in html and row.verdict in html and "background:" in html
     assert str(found) and repr(found).startswith("<CheckedTable of 1 numbers")
+
+
+def test_results_are_pickled():
+    for found in (wavecurve.check(["0.5"], "haar", "h"), wavecurve.identify([0.4829629131, 0.8365163037, 0.224143868])):
+        assert pickle.loads(pickle.dumps(found)) == found or math.isnan(found.rows[0].ulps)
 
 
 def test_hostile_names_leave_no_markup():

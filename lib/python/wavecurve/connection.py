@@ -68,7 +68,8 @@ def coefficients(
     ValueError
         For digits or orders out of bounds, an unknown filter.
     ArithmeticError
-        Where phi is not smooth enough; the message has the Sobolev exponent found and the one needed.
+        Where phi is not smooth enough; the message has the Sobolev exponent found and the one needed, which are the
+        attributes `found` and `needed`, too.
 
     Examples
     --------
