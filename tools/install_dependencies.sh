@@ -52,6 +52,19 @@ librlottie-dev        header:rlottie.h
 ffmpeg                program:ffmpeg
 codespell             program:codespell
 '
+# The Python package is built and tested with Debian's own interpreter.
+python_packages='
+pybind11-dev          header:pybind11/pybind11.h
+python3-dev           program:/usr/bin/python3-config
+python3-numpy         module:numpy
+python3-scipy         module:scipy
+python3-pandas        module:pandas
+python3-matplotlib    module:matplotlib
+python3-pytest        module:pytest
+python3-hypothesis    module:hypothesis
+python3-pip           module:pip
+mypy                  module:mypy
+'
 # Node.js comes with npm inside from some sources, and without it from Debian: the signs decide.
 browser_packages='
 chromium              program:chromium
@@ -135,8 +148,8 @@ peers=
 case ${1-} in
   program) ;;
   bench) list+=$benchmark_packages$tracking_packages peers=$peer_packages ;;
-  tests) list+=$test_packages$benchmark_packages peers=$peer_packages ;;
-  browser) list+=$test_packages$benchmark_packages$browser_packages peers=$peer_packages ;;
+  tests) list+=$test_packages$benchmark_packages$python_packages peers=$peer_packages ;;
+  browser) list+=$test_packages$benchmark_packages$python_packages$browser_packages peers=$peer_packages ;;
   --help | -h)
     printf '%s\n' "$usage"
     exit 0

@@ -95,3 +95,4 @@
 #include "wavecurve/transform/periodic_transform.hpp"
 #include "wavecurve/transform/plain_transform.hpp"
 #include "wavecurve/transform/synthesis_matrix.hpp"
+#include "wavecurve/transform/transform_batch.hpp"

@@ -12,6 +12,10 @@ namespace wavecurve::verification {
 /// file, if one of data_files() is not there: no result may change because one is missing.
 std::filesystem::path data_folder();
 
+/// From now on data_folder() is this folder: for a library in another's program, as in Python's
+/// interpreter. Throws as data_folder() does.
+void use_data_folder(const std::filesystem::path& folder);
+
 /// The files of published/ and examples/ that the program was built with, as paths in data_folder().
 const std::vector<std::filesystem::path>& data_files();
 

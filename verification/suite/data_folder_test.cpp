@@ -40,6 +40,16 @@ TEST_F(DataFolder, StandsBesideAnInstalledProgram) {
   EXPECT_TRUE(source_tree_of(prefix / "bin" / "wavecurve").empty());
 }
 
+TEST_F(DataFolder, IsWhatALibraryInAnothersProgramSays) {
+  const fs::path before = data_folder();
+  use_data_folder(prefix / "share/wavecurve");
+  EXPECT_EQ(data_folder(), prefix / "share/wavecurve");
+  EXPECT_THROW(use_data_folder(prefix), std::system_error);
+  EXPECT_EQ(data_folder(), prefix / "share/wavecurve");
+  use_data_folder(before);
+  EXPECT_EQ(data_folder(), before);
+}
+
 TEST_F(DataFolder, NamesThePlaceWhereNoDataAre) {
   try {
     data_folder_of(prefix / "elsewhere" / "bin" / "wavecurve");
