@@ -6,6 +6,7 @@
 
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/animations/animation_sheet.hpp"
+#include "wavecurve/io/animations/end_paths.hpp"
 #include "wavecurve/io/animations/lottie.hpp"
 #include "wavecurve/io/animations/output_options.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"

@@ -58,6 +58,7 @@
 #include "wavecurve/integrals/product_integrals.hpp"
 #include "wavecurve/integrals/shift_tensor.hpp"
 #include "wavecurve/motion/animation.hpp"
+#include "wavecurve/motion/chain.hpp"
 #include "wavecurve/motion/ease.hpp"
 #include "wavecurve/motion/gait/model/fit_gait.hpp"
 #include "wavecurve/motion/gait/model/fit_models.hpp"

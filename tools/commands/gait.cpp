@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +17,7 @@
 #include "wavecurve/motion/gait/walk/gait_animation.hpp"
 
 #include "tools/commands/commands.hpp"
+#include "tools/commands/input/animation_output.hpp"
 #include "tools/commands/input/drawing_input.hpp"
 #include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/gait_table.hpp"
@@ -104,11 +105,11 @@ void add_fit(CLI::App* gait) {
 // synthesize
 
 struct SynthesisOptions {
-  std::string parameters, drawing, output, gait;
+  std::string parameters, drawing, gait;
+  AnimationOutput output;
   gait::GaitAnimationOptions animation;
   std::optional<double> period;
-  bool smooth = false, sheet = false;
-  double tolerance = 0;
+  bool smooth = false;
 };
 
 /// Seconds of a cycle: the record's, if that can be seconds and not numbers of frames.
@@ -124,39 +125,40 @@ motion::Animation open_loop(motion::Animation animation, int frames) {
   return animation;
 }
 
-void write_walk(const SynthesisOptions& options, const gait::GaitAnimation& walk) {
+void write_walk(const SynthesisOptions& options, const gait::GaitAnimation& walk, int frames) {
   Progress progress("frames");
-  io::OutputOptions output;
+  io::OutputOptions output = options.output.options(walk.animation.view_box);
   output.loop = true;
-  output.tolerance = options.tolerance;
   output.progress = [&](int done, int all) {
     progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
   };
-  const int frames = options.animation.frames;
-  if (options.sheet) {
+  const std::string& path = options.output.path();
+  if (options.output.is_sheet()) {
     output.frames = frames;
-    return io::write_file(options.output,
-                          io::animation_sheet(open_loop(walk.animation, frames), output));
+    return io::write_file(path, io::animation_sheet(open_loop(walk.animation, frames), output));
   }
-  const std::string ending = std::filesystem::path(options.output).extension().string();
+  const std::string ending = options.output.ending();
   const bool is_film =
       ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".png";
   output.frames = is_film ? frames : frames + 1;
-  io::write_animation(options.output, is_film ? open_loop(walk.animation, frames) : walk.animation,
-                      output);
+  io::write_animation(path, is_film ? open_loop(walk.animation, frames) : walk.animation, output);
 }
 
 void synthesize(const SynthesisOptions& options) {
-  check_sheet(options.sheet, options.output);
-  check_tolerance(options.tolerance, options.output);
+  options.output.check();
   gait::GaitAnimationOptions how = options.animation;
   if (!options.gait.empty()) how.gait = gait::find_canine_gait(options.gait);
   const gait::GaitParameters parameters = io::read_gait_parameters(options.parameters);
   how.bank = io::load_filter_bank(parameters.filter);
   how.cycle_duration = cycle_duration(options, parameters);
+  how.frames = options.output.frames().value_or(how.frames);
+  if (const auto rate = options.output.rate()) {
+    how.frames = std::max(2, options.output.steps(how.cycles * how.cycle_duration));
+    how.cycle_duration = how.frames / *rate / how.cycles;
+  }
   if (options.smooth) how.continuity = gait::Continuity::velocity;
   const gait::GaitAnimation walk = gait::animate_gait(parameters, drawing_of(options.drawing), how);
-  write_walk(options, walk);
+  write_walk(options, walk, how.frames);
   fmt::print(
       "stride {:.4g} units of the drawing, {:.4g} seconds a cycle\n"
       "standing feet slide by at most {:.2f} % of the stride, and are off the ground by {:.2f} %\n"
@@ -174,17 +176,9 @@ void add_synthesize(CLI::App* gait) {
       ->add_option("DRAWING", options->drawing,
                    "An .svg with the layers LF, RF, LH, RH, and others")
       ->required();
-  command
-      ->add_option(
-          "-o,--output", options->output,
-          "Output; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm "
-          ".png (folder)")
-      ->required();
+  options->output.add_to(command, "60 over all cycles by default");
   CLI::Option* gait_name = command->add_option(
       "--gait", options->gait, "walk, trot, pace or gallop; by default as recorded");
-  command->add_option("--frames", options->animation.frames, "Frames over all cycles")
-      ->check(frames_check())
-      ->capture_default_str();
   command->add_option("--cycles", options->animation.cycles, "Cycles")
       ->check(whole_number_from(1, 1000))
       ->capture_default_str();
@@ -206,14 +200,6 @@ void add_synthesize(CLI::App* gait) {
       ->add_flag("--subcycles", options->animation.subcycles,
                  "The publication's cycle: A to D from two key frames and gammas")
       ->excludes(gait_name);
-  command->add_flag("--sheet", options->sheet, "Write the frames as one picture");
-  command
-      ->add_option(
-          "--tolerance", options->tolerance,
-          "Maximum distance of the fitted cubics from the contour, in drawing units; 0 writes "
-          "polygons")
-      ->check(tolerance_check())
-      ->capture_default_str();
   command->callback([options] { synthesize(*options); });
 }
 

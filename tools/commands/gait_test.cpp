@@ -52,13 +52,24 @@ TEST_F(GaitCommand, FitsShowsAndSynthesizes) {
 TEST_F(GaitCommand, HasGaitsAndOptions) {
   fit_example();
   const std::string dog = example("dog.svg");
-  for (const char* options : {"--gait walk", "--gait trot", "--gait pace", "--gait gallop",
-                              "--subcycles", "--smooth", "--scale 4", "--cycles 3 --frames 30",
-                              "--period 0.5", "--sheet --frames 6", "--tolerance 0.1"}) {
+  for (const char* options :
+       {"--gait walk", "--gait trot", "--gait pace", "--gait gallop", "--subcycles", "--smooth",
+        "--scale 4", "--cycles 3 --frames 30", "--period 0.5", "--sheet --frames 6",
+        "--tolerance 0.1", "--fps 12", "--size 300x200 --background none"}) {
     const ProgramRun run =
         wavecurve("gait synthesize walk.json " + dog + " " + options + " -o out.svg");
     EXPECT_EQ(run.exit_code, 0) << options << ": " << run.err;
   }
+}
+
+TEST_F(GaitCommand, FilmsHaveTheRateAsked) {
+  fit_example();
+  const ProgramRun run = wavecurve("gait synthesize walk.json " + example("dog.svg") +
+                                   " --period 0.52 --cycles 2 --fps 25 --size 90x60 -o walk.gif");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("0.52 seconds a cycle"), std::string::npos) << run.out;
+  expect_refusal("gait synthesize walk.json " + example("dog.svg") + " --fps 9 --frames 9 -o o.svg",
+                 "excludes");
 }
 
 TEST_F(GaitCommand, WritesTheSameBytesTwice) {

@@ -93,6 +93,8 @@ TEST_F(MorphCommand, TakesAMapAndAStart) {
   EXPECT_NE(bytes("--map face=eye --map eye=face"), plain);
   EXPECT_EQ(bytes("--map face=face"), plain);
   EXPECT_NE(bytes("--start face=7"), plain);
+  EXPECT_NE(bytes("--anchor face:0=2"), plain);
+  EXPECT_EQ(bytes("--map face:0=face:0"), plain);
   EXPECT_NE(bytes("--detail stage --scale 8"), plain);
 }
 
@@ -118,6 +120,52 @@ TEST_F(MorphCommand, MovesPhysically) {
               0);
     EXPECT_TRUE(is_there(name));
   }
+}
+
+TEST_F(MorphCommand, GoesOnFromDrawingToDrawing) {
+  io::write_file(folder_ / "c.svg",
+                 R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">
+                    <path id="face" d="M10 2L18 18H2Z" fill="#ccff00"/></svg>)");
+  const auto lottie = [&](const std::string& options) {
+    const ProgramRun run = wavecurve("morph a.svg b.svg c.svg --samples 64 -o out.json " + options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return nlohmann::json::parse(io::read_file(folder_ / "out.json"));
+  };
+  const auto both = lottie("--duration 1,3 --fps 10");
+  EXPECT_EQ(both["op"], 41);
+  ASSERT_EQ(both["layers"].size(), 4U);
+  // The upper layers are those of the second morph, which begins at frame 10.
+  EXPECT_EQ(both["layers"][1]["nm"], "face-2");
+  EXPECT_EQ(both["layers"][1]["ks"]["o"]["k"][1]["t"], 10);
+  EXPECT_EQ(lottie("--loop --duration 1 --fps 10")["op"], 31);  // and back to the first
+  EXPECT_EQ(lottie("--motion physical --frames 21")["op"], 21);
+  for (const std::string output : {"out.svg", "out.html", "out.gif", "sheet.svg --sheet"}) {
+    const ProgramRun run =
+        wavecurve("morph a.svg b.svg c.svg --frames 7 --size 64x64 -o " + output);
+    const bool takes_size = output.ends_with(".svg") || output.ends_with(".gif");
+    EXPECT_EQ(run.exit_code, takes_size ? 0 : 2) << output << run.err;
+  }
+  EXPECT_EQ(wavecurve("morph a.svg b.svg c.svg -o out.html").exit_code, 0);
+  EXPECT_EQ(wavecurve("morph a.svg b.svg c.svg --sheet -o sheet.svg").exit_code, 0);
+  const std::string chain = "morph a.svg b.svg c.svg -o out.svg ";
+  expect_refusal(chain + "--duration 1,2,3", "the number of durations is 3, but must be 1 or 2");
+  expect_refusal(chain + "--duration 1,x", "'x' is not a number");
+  expect_refusal("morph a.svg b.svg -o out.svg --duration 1,2",
+                 "the number of durations is 2, but must be 1");
+  expect_refusal(chain + "--map face=face", "--map takes two drawings, not 3");
+  expect_refusal(chain + "--crossings report", "--crossings takes two drawings, not 3");
+  expect_refusal("morph a.svg -o out.svg", "DRAWINGS");
+}
+
+TEST_F(MorphCommand, WritesThePathsOfBothEnds) {
+  ASSERT_EQ(wavecurve("morph a.svg b.svg --paths -o out.json").exit_code, 0);
+  const auto json = nlohmann::json::parse(io::read_file(folder_ / "out.json"));
+  EXPECT_EQ(json["layers"][0]["id"], "face");
+  EXPECT_EQ(json["layers"][0]["destination"]["fill"], "#00ccff");
+  EXPECT_EQ(json["layers"][0]["source"]["d"].get<std::string>()[0], 'M');
+  expect_refusal("morph a.svg b.svg --paths -o out.svg", "the file of --paths is 'out.svg'");
+  expect_refusal("morph a.svg b.svg --paths --ease in -o out.json",
+                 "--paths writes both ends alone");
 }
 
 TEST_F(MorphCommand, RefusesBadMotion) {
@@ -157,11 +205,19 @@ TEST_F(MorphCommand, RefusesBadInput) {
   expect_refusal("morph a.svg b.svg -o out.json --duration 0",
                  "--duration: '0' is not a number from 0.001");
   expect_refusal("morph a.svg b.svg -o out.json --detail most", "--detail");
-  expect_refusal("morph a.svg b.svg -o out.json --map face", "must be two layers, a=b");
+  expect_refusal("morph a.svg b.svg -o out.json --map face", "must be two layers, a=b, or");
   expect_refusal("morph a.svg b.svg -o out.json --map face=nose",
                  "unknown layer of the destination 'nose'; known: ");
   expect_refusal("morph a.svg b.svg -o out.json --start face=x", "'x'");
   expect_refusal("morph a.svg b.svg -o out.json --start face=5000", "5000");
+  expect_refusal("morph a.svg b.svg -o out.json --anchor face:x=1", "must be a layer and vertices");
+  expect_refusal("morph a.svg b.svg -o out.json --anchor face:-1=1",
+                 "must be a layer and vertices");
+  expect_refusal("morph a.svg b.svg -o out.json --anchor nose:0=1", "fits no layer of the source");
+  expect_refusal("morph a.svg b.svg -o out.json --anchor face:77=1",
+                 "vertices that are on no two matched contours");
+  expect_refusal("morph a.svg b.svg -o out.json --map face:0=face:7",
+                 "the contour of layer 'face' in a map is 7");
   expect_refusal("morph a.svg b.svg -o out.json --sheet",
                  "the file of a sheet is 'out.json', but must be");
   expect_refusal("morph a.svg b.svg", "--output");

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -214,23 +215,67 @@ Columns control_points(const Columns& points, const Knots& knots) {
   return control;
 }
 
-/// Whether the points inside the segment after vertex i are within the tolerance of the cubic, in
-/// all keys.
-bool fits(const Columns& points, const Knots& knots, const Columns& control, std::size_t i,
-          double tolerance) {
-  const Index row = 3 * static_cast<Index>(i), last = 3 * static_cast<Index>(knots.next(i));
-  const Index span = knots.span(i);
+/// One cubic, in all keys.
+struct Cubic {
+  Eigen::RowVectorXd start, after, before, end;
+};
+
+/// Whether `span` points from one on are within the tolerance of a cubic, in all keys.
+bool follows(const Columns& points, Index first, Index span, const Cubic& cubic, double tolerance) {
   Eigen::RowVectorXd away(points.cols());
   for (Index j = 1; j < span; ++j) {
     const double s = static_cast<double>(j) / static_cast<double>(span), r = 1 - s;
-    away = r * r * r * control.row(row) + 3 * r * r * s * control.row(row + 1) +
-           3 * r * s * s * control.row(row + 2) + s * s * s * control.row(last) -
-           points.row((knots.at[i] + j) % knots.points);
+    away = r * r * r * cubic.start + 3 * r * r * s * cubic.after + 3 * r * s * s * cubic.before +
+           s * s * s * cubic.end - points.row((first + j) % points.rows());
     for (Index key = 0; key < points.cols() / 2; ++key) {
       if (!(away.segment<2>(2 * key).squaredNorm() <= tolerance * tolerance)) return false;
     }
   }
   return true;
+}
+
+/// Whether the points inside the segment after vertex i are within the tolerance of its cubic.
+bool fits(const Columns& points, const Knots& knots, const Columns& control, std::size_t i,
+          double tolerance) {
+  const Index row = 3 * static_cast<Index>(i), last = 3 * static_cast<Index>(knots.next(i));
+  const Cubic cubic{control.row(row), control.row(row + 1), control.row(row + 2),
+                    control.row(last)};
+  return follows(points, knots.at[i], knots.span(i), cubic, tolerance);
+}
+
+/// Whether one cubic with the tangents at its ends as they are does for those before and after vertex i.
+bool fits_without(const Columns& points, const Knots& knots, const Columns& control, std::size_t i,
+                  double tolerance) {
+  const Index before = 3 * static_cast<Index>(i - 1), after = before + 3;
+  const Index span = knots.span(i - 1) + knots.span(i),
+              last = 3 * static_cast<Index>(knots.next(i));
+  const auto stretch = [&](std::size_t segment) {
+    return static_cast<double>(span) / static_cast<double>(knots.span(segment));
+  };
+  const Cubic cubic{
+      control.row(before),
+      control.row(before) + stretch(i - 1) * (control.row(before + 1) - control.row(before)),
+      control.row(last) + stretch(i) * (control.row(after + 2) - control.row(last)),
+      control.row(last)};
+  return follows(points, knots.at[i - 1], span, cubic, tolerance);
+}
+
+/// The knots without those that the curve does not need: no corner, no end, no two neighbours at once,
+/// and two remain.
+Knots coarsened(const Columns& points, const Knots& knots, const Columns& control,
+                double tolerance) {
+  Knots fewer{knots.points, knots.closing, {knots.at.front()}, knots.corner};
+  std::size_t remaining = knots.at.size();
+  bool was_kept = true;
+  for (std::size_t i = 1; i < knots.at.size(); ++i) {
+    const bool goes = was_kept && remaining > 2 && i < knots.segments() &&
+                      !knots.corner[static_cast<std::size_t>(knots.at[i])] &&
+                      fits_without(points, knots, control, i, tolerance);
+    was_kept = !goes;
+    if (goes) --remaining;
+    if (!goes) fewer.at.push_back(knots.at[i]);
+  }
+  return fewer;
 }
 
 /// The knots with every segment halved that misses the tolerance; a segment of one step fits.
@@ -245,6 +290,22 @@ Knots refined(const Columns& points, const Knots& knots, const Columns& control,
   return finer;
 }
 
+struct Fit {
+  Knots knots;
+  Columns control;
+};
+
+/// The knots with as many more as it takes to keep the tolerance.
+Fit refined_fit(const Columns& points, Knots knots, double tolerance) {
+  Columns control = control_points(points, knots);
+  for (std::size_t before = 0; before != knots.at.size();) {
+    before = knots.at.size();
+    knots = refined(points, knots, control, tolerance);
+    if (knots.at.size() != before) control = control_points(points, knots);
+  }
+  return {std::move(knots), std::move(control)};
+}
+
 }  // namespace
 
 std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double tolerance,
@@ -257,16 +318,16 @@ std::vector<Contour> fit_cubics(const std::vector<Contour>& keys, double toleran
   if (closing == Closing::open && points.rows() < 2) {
     throw std::invalid_argument("fit of cubics: an open line of one point");
   }
-  Knots knots = first_knots(points, closing);
-  Columns control = control_points(points, knots);
-  for (std::size_t before = 0; before != knots.at.size();) {
-    before = knots.at.size();
-    knots = refined(points, knots, control, tolerance);
-    control = control_points(points, knots);
+  Fit fit = refined_fit(points, first_knots(points, closing), tolerance);
+  for (;;) {
+    Fit fewer =
+        refined_fit(points, coarsened(points, fit.knots, fit.control, tolerance), tolerance);
+    if (fewer.knots.at.size() >= fit.knots.at.size()) break;
+    fit = std::move(fewer);
   }
   std::vector<Contour> result;
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    result.emplace_back(control.middleCols<2>(2 * static_cast<Index>(k)));
+    result.emplace_back(fit.control.middleCols<2>(2 * static_cast<Index>(k)));
   }
   return result;
 }

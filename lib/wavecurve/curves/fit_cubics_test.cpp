@@ -123,6 +123,25 @@ TEST(FitCubics, KeepsCornersAndStraightEdges) {
   EXPECT_LT(distance(square(16), control), 1e-9 + step_of_walk(control));
 }
 
+TEST(FitCubics, DropsVerticesThatHalvingLeft) {
+  // A rectangle whose corners lie between points: only at these is it not straight.
+  Contour rectangle(1000, 2);
+  for (int i = 0; i < 1000; ++i) {
+    const double at = 0.37 + i;
+    rectangle.row(i) << (at < 400   ? at
+                         : at < 500 ? 400
+                         : at < 900 ? 900 - at
+                                    : 0),
+        (at < 400   ? 0
+         : at < 500 ? at - 400
+         : at < 900 ? 100
+                    : 1000 - at);
+  }
+  const Contour control = fit_cubics({rectangle}, 0.05)[0];
+  EXPECT_LE(control.rows(), 3 * 20);
+  EXPECT_LT(distance(rectangle, control), 0.05 + step_of_walk(control));
+}
+
 TEST(FitCubics, TakesWhatHasNoShape) {
   EXPECT_EQ(fit_cubics({Contour::Zero(1, 2)}, 0.1)[0].rows(), 3);
   EXPECT_TRUE(fit_cubics({Contour::Ones(64, 2)}, 0.1)[0].isOnes(1e-12));

@@ -68,31 +68,6 @@ std::vector<std::size_t> corners_of(const Subpath& closed) {
   return corners;
 }
 
-/// Shares in proportion to the lengths, at least one each: the largest remainders are rounded up.
-std::vector<Index> shares(const std::vector<double>& lengths, Index samples) {
-  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  std::vector<Index> count(lengths.size());
-  std::vector<double> wanted(lengths.size());
-  for (std::size_t i = 0; i < count.size(); ++i) {
-    wanted[i] = lengths[i] / total * static_cast<double>(samples);
-    count[i] = std::max<Index>(1, static_cast<Index>(wanted[i]));
-  }
-  Index left = samples - std::accumulate(count.begin(), count.end(), Index{0});
-  const int step = left > 0 ? 1 : -1;
-  std::priority_queue<std::pair<double, std::size_t>> queue;
-  const auto enqueue = [&](std::size_t i) {
-    if (count[i] + step >= 1) queue.push({step * (wanted[i] - static_cast<double>(count[i])), i});
-  };
-  for (std::size_t i = 0; i < count.size(); ++i) enqueue(i);
-  for (; left != 0; left -= step) {
-    const std::size_t chosen = queue.top().second;
-    queue.pop();
-    count[chosen] += step;
-    enqueue(chosen);
-  }
-  return count;
-}
-
 Contour sample_uniformly(const Subpath& closed, Index samples) {
   const ArcLength arc(closed);
   Contour points(samples, 2);
@@ -118,7 +93,7 @@ Contour sample_with_corners(const Subpath& closed, Index samples) {
         last ? arc.start_of(corners[0]) + arc.length() : arc.start_of(corners[i + 1]);
     lengths[i] = end - arc.start_of(corners[i]);
   }
-  const std::vector<Index> counts = shares(lengths, samples);
+  const std::vector<Index> counts = shares_of_samples(lengths, samples);
   Contour points(samples, 2);
   Index row = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -184,6 +159,30 @@ std::vector<Contour> sample_layer(const Layer& layer, Index samples, Corners cor
   return contours;
 } catch (const std::invalid_argument& error) {
   throw std::invalid_argument(fmt::format("layer {}: {}", layer.id, error.what()));
+}
+
+std::vector<Index> shares_of_samples(const std::vector<double>& lengths, Index samples) {
+  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  std::vector<Index> count(lengths.size());
+  std::vector<double> wanted(lengths.size());
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    wanted[i] = lengths[i] / total * static_cast<double>(samples);
+    count[i] = std::max<Index>(1, static_cast<Index>(wanted[i]));
+  }
+  Index left = samples - std::accumulate(count.begin(), count.end(), Index{0});
+  const int step = left > 0 ? 1 : -1;
+  std::priority_queue<std::pair<double, std::size_t>> queue;
+  const auto enqueue = [&](std::size_t i) {
+    if (count[i] + step >= 1) queue.push({step * (wanted[i] - static_cast<double>(count[i])), i});
+  };
+  for (std::size_t i = 0; i < count.size(); ++i) enqueue(i);
+  for (; left != 0; left -= step) {
+    const std::size_t chosen = queue.top().second;
+    queue.pop();
+    count[chosen] += step;
+    enqueue(chosen);
+  }
+  return count;
 }
 
 Subpath polygon(const Contour& points) {

@@ -44,6 +44,11 @@ Contour sample_contour(const Contour& points, Eigen::Index samples,
 std::vector<Contour> sample_layer(const Layer& layer, Eigen::Index samples,
                                   Corners corners = Corners::ignored);
 
+/// Whole numbers of samples in proportion to lengths, at least one each: the largest remainders are
+/// rounded up. There are at most as many lengths as samples.
+std::vector<Eigen::Index> shares_of_samples(const std::vector<double>& lengths,
+                                            Eigen::Index samples);
+
 /// The lines through the points, closed by the one from the last to the first unless they coincide.
 Subpath polygon(const Contour& points);
 

@@ -32,10 +32,10 @@ struct AnimatedLayer {
   std::vector<bool> open = {};
 };
 
-/// From a time on, the layers are painted in another order.
+/// From a time on, the layers are painted in another order, or others are.
 struct OrderKey {
   double time = 0;                 ///< seconds
-  std::vector<std::size_t> order;  ///< all indices of layers, the lowest first
+  std::vector<std::size_t> order;  ///< indices of the layers that are there, the lowest first
 };
 
 /// A drawing whose outlines and paints are piecewise linear functions of time, for any player.
@@ -64,7 +64,7 @@ bool is_open(const Layer& layer, std::size_t i) {
 /// A layer at a time.
 FrameLayer layer_at(const AnimatedLayer& layer, double time);
 
-/// The indices of the layers at a time, in painting order, the lowest first.
+/// The indices of the layers that are there at a time, in painting order, the lowest first.
 std::vector<std::size_t> order_at(const Animation& animation, double time);
 
 /// The layers at a time, in painting order; what every renderer and test compares itself with.

@@ -70,9 +70,13 @@ TEST(FrameAt, SwitchesCapsAndMixesMiterLimits) {
   EXPECT_EQ(paint.miter_limit, 6);
 }
 
-TEST(CheckAnimation, WantsWholeOrders) {
+TEST(CheckAnimation, WantsOrdersOfItsLayers) {
+  Animation some = exchanged();
+  some.order[1].order = {2, 0};  // the others are not there
+  check_animation(some);
+  EXPECT_EQ(order_text(some, 2), "ca");
   for (const std::vector<std::size_t>& order :
-       std::vector<std::vector<std::size_t>>{{0, 1}, {0, 1, 1}, {0, 1, 3}}) {
+       std::vector<std::vector<std::size_t>>{{0, 0}, {0, 1, 1}, {0, 1, 3}}) {
     Animation animation = exchanged();
     animation.order[1].order = order;
     EXPECT_THROW(check_animation(animation), std::invalid_argument);

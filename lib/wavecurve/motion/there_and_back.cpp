@@ -27,6 +27,7 @@ Animation there_and_back(const Animation& animation) {
   }
   for (std::size_t k = animation.order.size(); k-- > 0;) {
     const OrderKey& key = animation.order[k];
+    if (key.time == 0) continue;  // there was no other order
     result.order.push_back({2 * animation.duration - key.time,
                             order_at(animation, k == 0 ? -1 : animation.order[k - 1].time)});
   }

@@ -1,11 +1,8 @@
 #include "tools/commands/input/drawing_input.hpp"
 
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 
@@ -31,19 +28,6 @@ std::optional<Eigen::Index> parsed_scale(const std::string& text) {
   if (text == "full") return std::nullopt;
   if (const auto number = parsed_whole_number(text)) return number;
   throw std::invalid_argument(must_be("--scale", text, "a number of control points, or full"));
-}
-
-void check_sheet(bool is_sheet, const std::string& output) {
-  if (!is_sheet || output.ends_with(".svg")) return;
-  throw std::invalid_argument(must_be("the file of a sheet", output, "an .svg"));
-}
-
-void check_tolerance(double tolerance, const std::string& output) {
-  const std::string ending = std::filesystem::path(output).extension().string();
-  const bool holds_curves = ending == ".svg" || ending == ".json" || ending == ".html";
-  if (tolerance == 0 || holds_curves) return;
-  throw std::invalid_argument(fmt::format(
-      "--tolerance is for .svg, .json and .html, which hold curves, not for {}", ending));
 }
 
 }  // namespace wavecurve::tools

@@ -23,10 +23,4 @@ void add_point_options(CLI::App* command, io::PointOptions& options);
 /// std::invalid_argument for another text.
 std::optional<Eigen::Index> parsed_scale(const std::string& text);
 
-/// Throws std::invalid_argument unless the file of a sheet is an .svg.
-void check_sheet(bool is_sheet, const std::string& output);
-
-/// Throws std::invalid_argument for a tolerance of fitted curves where the file holds no curves.
-void check_tolerance(double tolerance, const std::string& output);
-
 }  // namespace wavecurve::tools

@@ -1,5 +1,6 @@
 #include "tools/commands/input/number_option.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -11,6 +12,8 @@
 namespace wavecurve::tools {
 
 namespace {
+
+constexpr long most_pixels = 1L << 25;  ///< what render_frames takes
 
 /// The text as a whole; std::from_chars knows no sign +.
 template <class Number>
@@ -75,5 +78,29 @@ CLI::Validator levels_check() { return whole_number_from(0, 20); }
 CLI::Validator duration_check() { return number_from(0.001, 86400, "seconds"); }
 
 CLI::Validator tolerance_check() { return number_from(0, 1e9, "units of the drawing"); }
+
+std::optional<std::pair<int, int>> parsed_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = parsed_whole_number(text.substr(0, cross));
+  const auto height = parsed_whole_number(text.substr(cross + 1));
+  if (!width || !height || std::min(*width, *height) < 2 || std::max(*width, *height) > 16384 ||
+      *width * *height > most_pixels) {
+    return std::nullopt;
+  }
+  return std::pair(static_cast<int>(*width), static_cast<int>(*height));
+}
+
+CLI::Validator size_check() {
+  return {[](const std::string& text) {
+            return parsed_size(text)
+                       ? std::string()
+                       : fmt::format(
+                             "{} is not a size WIDTHxHEIGHT of numbers from 2 to 16384, "
+                             "together at most {} pixels",
+                             value_text(std::string_view(text)), most_pixels);
+          },
+          "WIDTHxHEIGHT", number_check};
+}
 
 }  // namespace wavecurve::tools

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -35,6 +36,10 @@ CLI::Validator samples_check();    ///< 1 to 2^20; that it is a power of two is 
 CLI::Validator levels_check();     ///< 0 to 20
 CLI::Validator duration_check();   ///< 0.001 to 86,400 seconds
 CLI::Validator tolerance_check();  ///< 0 to 1e9 units of the drawing
+
+/// WIDTHxHEIGHT in pixels, each 2 to 16,384, together at most 2^25; none for another text.
+std::optional<std::pair<int, int>> parsed_size(std::string_view text);
+CLI::Validator size_check();
 
 /// Their name as validators: every option that takes numbers has one (all_commands_test.cpp).
 inline constexpr const char* number_check = "number";

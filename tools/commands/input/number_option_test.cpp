@@ -38,6 +38,14 @@ TEST_F(NumberOption, WhatIsNoNumberOfItsRangeIsRefusedWithTheRange) {
                  "is not a number above 0, at most 10 (times the length of the limb)");
   expect_refusal("bench compare a b --threshold nan", "'nan' is not a number from 0 to 1");
   expect_refusal("coefficients db4 --digits ''", "'' is not a whole number from 1 to 1000");
+  for (const char* value : {"''", "400", "400x", "x400", "0x10", "1x9", "400x300x2", "4e2x300",
+                            "16385x2", "16384x16384", "400x-3", "400*300"}) {
+    expect_refusal(morph + "--size " + value,
+                   "is not a size WIDTHxHEIGHT of numbers from 2 to 16384");
+  }
+  for (const char* value : {"nan", "0", "1001", "1e-320", "'30 '"}) {
+    expect_refusal(morph + "--fps " + value, "is not a number from 0.01 to 1000");
+  }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "o.svg"));
 }
 
@@ -53,9 +61,12 @@ TEST_F(NumberOption, AnOptionThatAnotherMakesMeaninglessIsRefused) {
   const std::string morph = "morph a.csv b.csv -o o.svg ";
   expect_refusal(morph + "--sheet --loop", "excludes");
   expect_refusal(morph + "--sheet --duration 2", "excludes");
+  expect_refusal(morph + "--sheet --size 40x40", "excludes");
+  expect_refusal(morph + "--frames 9 --fps 3", "excludes");
+  expect_refusal("morph a.csv b.csv -o o.json --paths --frames 9", "excludes");
+  expect_refusal("morph a.csv b.csv -o o.json --paths --loop", "excludes");
   expect_refusal("morph a.csv b.csv -o o.gif --tolerance 1",
                  "--tolerance is for .svg, .json and .html, which hold curves, not for .gif");
-  expect_refusal("morph a.csv b.csv -o o.html --tolerance 1", "--tolerance");
   expect_refusal("gait synthesize p.json d.svg -o o.svg --subcycles --gait trot", "excludes");
   expect_refusal("coefficients db4 --quantity h --derivatives 1,1", "excludes");
   expect_refusal("coefficients db4 --integral 'phi phi' --normalize first", "excludes");

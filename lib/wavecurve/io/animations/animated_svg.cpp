@@ -9,6 +9,7 @@
 
 #include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/detail/painting_slots.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
 #include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/xml_escaped.hpp"
 
@@ -89,6 +90,7 @@ std::vector<Track> paint_tracks(const motion::AnimatedLayer& layer, double durat
 Track visibility_track(const PaintingSlot& slot, const motion::Animation& animation) {
   Track track{"visibility"};
   for (std::size_t k = 0; k < slot.is_shown.size(); ++k) {
+    if (k == 1 && animation.order.front().time == 0) continue;  // as order 0
     const double time = k == 0 ? 0 : animation.order[k - 1].time;
     track.add(time / animation.duration, slot.is_shown[k] ? "visible" : "hidden");
   }
@@ -134,11 +136,20 @@ class SlotIds {
 
 std::string animated_svg(const motion::Animation& animation, const OutputOptions& options) {
   const AnimatedControlPoints points = control_points(animation, options.tolerance);
-  const ViewBox& box = animation.view_box;
+  const ViewBox box = framed(animation.view_box, options);
   const Decimals decimals = Decimals::for_box(box, options.accuracy);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n", decimals.text(box.x),
-      decimals.text(box.y), decimals.text(box.width), decimals.text(box.height));
+  const std::string place[] = {decimals.text(box.x), decimals.text(box.y), decimals.text(box.width),
+                               decimals.text(box.height)};
+  std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\"",
+                                fmt::join(place, " "));
+  if (options.size) {
+    svg += fmt::format(" width=\"{}\" height=\"{}\"", options.size->width, options.size->height);
+  }
+  svg += ">\n";
+  if (options.background) {
+    svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
+                       place[0], place[1], place[2], place[3], hex_colour(*options.background));
+  }
   SlotIds ids(animation);
   for (const PaintingSlot& slot : painting_slots(animation)) {
     svg += path(ids.of(slot, animation), slot, points, decimals, options.loop);

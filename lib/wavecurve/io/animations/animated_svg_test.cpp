@@ -143,7 +143,43 @@ TEST(AnimatedSvg, ShowsExchangedLayersByTurns) {
   EXPECT_NE(svg.find("d=\"M60 20L80 20 80 60\""), std::string::npos);
   OutputOptions options;
   options.tolerance = 0.02;
-  EXPECT_NE(animated_svg(exchange_animation(), options).find(" 80 60;M60 30C"), std::string::npos);
+  const std::string cubics = animated_svg(exchange_animation(), options);
+  EXPECT_NE(cubics.find(";M60 30c"), std::string::npos);
+  EXPECT_EQ(cubics.find("z;M60 30c"), std::string::npos);
+}
+
+TEST(AnimatedSvg, HasASizeAndABackground) {
+  OutputOptions options;
+  const std::string plain = animated_svg(sample_animation(), options);
+  EXPECT_EQ(plain.find("<rect"), std::string::npos);
+  EXPECT_EQ(plain.find(" width="), std::string::npos);
+  options.size = RasterSize{400, 160};
+  options.background = Colour{1, 0, 0};
+  // The box of 100 by 80 gets 50 more on either side.
+  EXPECT_NE(animated_svg(sample_animation(), options)
+                .find("viewBox=\"-60 5 200 80\" width=\"400\" height=\"160\">\n"
+                      "<rect x=\"-60\" y=\"5\" width=\"200\" height=\"80\" fill=\"#ff0000\"/>"),
+            std::string::npos);
+}
+
+TEST(PathData, OfCubicsIsTheControlPointsInEitherForm) {
+  const Contour contour =
+      (Contour(6, 2) << 10, 20, 10.25, 20.5, 9.5, 19, 30, -0.25, 0, 0, -1, 1).finished();
+  const Decimals decimals(2);
+  EXPECT_EQ(path_data({contour}, true, decimals),
+            "M10 20c.25 .5-.5-1 20-20.25-30 .25-31 1.25-20 20.25z");
+  EXPECT_EQ(path_data({contour}, true, decimals, {}, Coordinates::absolute),
+            "M10 20C10.25 20.5 9.5 19 30 -0.25 0 0 -1 1 10 20z");
+  // Roundings do not add up: the last vertex of a long line is as near as the first.
+  Contour line(301, 2);
+  for (Eigen::Index i = 0; i < 301; ++i) line.row(i) << 0.3333 * static_cast<double>(i), 0;
+  const std::string text = path_data({line}, true, Decimals(1), {true});
+  double x = 0;
+  std::size_t number = 0;
+  for (const double value : numbers(text.substr(text.find('c') + 1))) {
+    if (number++ % 6 == 4) x += value;
+  }
+  EXPECT_NEAR(x, 100, 0.05 + 1e-9);
 }
 
 TEST(AnimatedSvg, IsTheSameEachTime) {

@@ -39,9 +39,12 @@ std::string animation_sheet(const motion::Animation& animation, const OutputOpti
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0} frames, to be read "
       "from left to right and from top to bottom\" viewBox=\"0 0 {1:.2f} {2:.2f}\" "
-      "width=\"{1:.2f}\" height=\"{2:.2f}\" font-family=\"sans-serif\" font-size=\"13\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      "width=\"{1:.2f}\" height=\"{2:.2f}\" font-family=\"sans-serif\" font-size=\"13\">\n",
       options.frames, gap + columns * (width + gap), gap + rows * (height + caption + gap));
+  if (options.background || !options.transparent) {
+    svg += fmt::format("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+                       options.background ? hex_colour(*options.background) : "white");
+  }
   for (int i = 0; i < options.frames; ++i) {
     const double tau = static_cast<double>(i) / (options.frames - 1);
     const double x = gap + i % columns * (width + gap);

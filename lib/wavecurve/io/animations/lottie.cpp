@@ -12,6 +12,8 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/detail/painting_slots.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
+#include "wavecurve/io/drawings/detail/svg_paint.hpp"
 #include "wavecurve/io/files/detail/json_text.hpp"
 
 namespace wavecurve::io {
@@ -198,9 +200,9 @@ std::string group(const motion::AnimatedLayer& layer, const StyleRun& run, const
 }
 
 /// When a slot is shown, as percents at times in frames.
-std::vector<std::pair<double, int>> shown(const PaintingSlot& slot,
-                                          const motion::Animation& animation,
-                                          const Target& target) {
+std::vector<std::pair<double, int>> slot_keys(const PaintingSlot& slot,
+                                              const motion::Animation& animation,
+                                              const Target& target) {
   std::vector<std::pair<double, int>> keys;
   for (std::size_t k = 0; k < slot.is_shown.size(); ++k) {
     const int value = slot.is_shown[k] ? 100 : 0;
@@ -220,7 +222,7 @@ std::string shape_layer(const motion::Animation& animation, const PaintingSlot& 
   return fmt::format(
       "{{\"ty\":4,\"nm\":{},\"ind\":{},\"ip\":0,\"op\":{},\"st\":0,\"ks\":{{\"o\":{},{}}},\n"
       "\"shapes\":[{}]}}",
-      quoted(layer.id), index, frames, held(shown(slot, animation, target)), identity, groups);
+      quoted(layer.id), index, frames, held(slot_keys(slot, animation, target)), identity, groups);
 }
 
 }  // namespace
@@ -228,9 +230,9 @@ std::string shape_layer(const motion::Animation& animation, const PaintingSlot& 
 std::string lottie(const motion::Animation& animation, const OutputOptions& options) {
   check_at_least("frames", options.frames, 2);
   const AnimatedControlPoints points = control_points(animation, options.tolerance);
-  const ViewBox& box = animation.view_box;
-  Target target{box, options.pixels / std::max(box.width, box.height),
-                (options.frames - 1) / animation.duration, points.cubic};
+  const ViewBox box = framed(animation.view_box, options);
+  Target target{box, resolution(box, options), (options.frames - 1) / animation.duration,
+                points.cubic};
   const double width = box.width * target.scale, height = box.height * target.scale;
   target.decimals = Decimals::for_box({0, 0, width, height}, options.accuracy);
   std::string layers;
@@ -239,6 +241,13 @@ std::string lottie(const motion::Animation& animation, const OutputOptions& opti
   for (std::size_t i = slots.size(); i-- > 0;) {
     layers += shape_layer(points.animation, slots[i], slots.size() - i, options.frames, target);
     if (i > 0) layers += ",\n";
+  }
+  if (options.background) {
+    layers += fmt::format(
+        ",\n{{\"ty\":1,\"nm\":\"background\",\"ind\":{},\"ip\":0,\"op\":{},\"st\":0,"
+        "\"ks\":{{\"o\":{{\"a\":0,\"k\":100}},{}}},\"sc\":\"{}\",\"sw\":{:.0f},\"sh\":{:.0f}}}",
+        slots.size() + 1, options.frames, identity, hex_colour(*options.background),
+        std::ceil(width - 1e-9), std::ceil(height - 1e-9));
   }
   return fmt::format(
       "{{\"v\":\"5.7.0\",\"fr\":{},\"ip\":0,\"op\":{},\"w\":{:.0f},\"h\":{:.0f},\"assets\":[],\n"

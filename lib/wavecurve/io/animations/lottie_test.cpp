@@ -1,5 +1,7 @@
 #include "wavecurve/io/animations/lottie.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -159,6 +161,90 @@ TEST(Lottie, VerticesAreThePointsToTheStatedAccuracy) {
     EXPECT_NEAR(vertex[0].get<double>(), 5 * (points(i, 0) + 10), 0.005 + 1e-9);
     EXPECT_NEAR(vertex[1].get<double>(), 5 * (points(i, 1) - 5), 0.005 + 1e-9);
   }
+}
+
+/// Points of the cubics of a shape at a time in frames, as a player mixes its keys.
+Contour lottie_points(const Json& property, double frame) {
+  const Json& keys = property["k"];
+  std::size_t next = 1;
+  while (next + 1 < keys.size() && keys[next]["t"].get<double>() < frame) ++next;
+  const double from = keys[next - 1]["t"], to = keys[next]["t"];
+  const double share = std::clamp((frame - from) / (to - from), 0.0, 1.0);
+  const auto value = [&](const char* part, std::size_t i) {
+    const Json &a = keys[next - 1]["s"][0][part][i], &b = keys[next]["s"][0][part][i];
+    return Eigen::RowVector2d(std::lerp(a[0].get<double>(), b[0].get<double>(), share),
+                              std::lerp(a[1].get<double>(), b[1].get<double>(), share));
+  };
+  constexpr int steps = 200;
+  const std::size_t count = keys[0]["s"][0]["v"].size();
+  Contour points(static_cast<Eigen::Index>(count) * steps, 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = (i + 1) % count;
+    const Eigen::RowVector2d start = value("v", i), end = value("v", j);
+    const Eigen::RowVector2d after = start + value("o", i), before = end + value("i", j);
+    for (int k = 0; k < steps; ++k) {
+      const double s = static_cast<double>(k) / steps, r = 1 - s;
+      points.row(static_cast<Eigen::Index>(i) * steps + k) =
+          r * r * r * start + 3 * r * r * s * after + 3 * r * s * s * before + s * s * s * end;
+    }
+  }
+  return points;
+}
+
+/// A circle that swings out, comes to rest and stays: 101 keys in two seconds.
+motion::Animation swinging() {
+  motion::Animation animation{{0, 0, 100, 100}, 2, {{"l", {}, {{0, filled(0, 0, 0)}}}}};
+  for (int k = 0; k <= 100; ++k) {
+    const double t = k / 50.0, swing = std::exp(-4 * t) * std::cos(8 * t);
+    animation.layers[0].outline.push_back(
+        {t, {flower(50 + 20 * swing, 50, 20, 128, 0.3 * swing, 3)}});
+  }
+  return animation;
+}
+
+TEST(Lottie, FittedKeysKeepTheToleranceAtAllTimes) {
+  const motion::Animation animation = swinging();
+  for (const double tolerance : {0.02, 0.1, 1.0}) {
+    const Json json = Json::parse(lottie(animation, options_with(tolerance)));
+    const Json property = items(json["layers"][0], "sh")[0]["ks"];
+    EXPECT_LT(property["k"].size(), tolerance < 0.1 ? 80U : 50U);
+    for (int i = 0; i <= 300; ++i) {
+      const double time = i / 150.0;
+      const Contour exact = motion::frame_at(animation, time)[0].contours[0] * 5;
+      const Contour written = lottie_points(property, 30 * time);
+      double farthest = 0, step = 0;
+      for (Eigen::Index row = 0; row < exact.rows(); ++row) {
+        farthest =
+            std::max(farthest, (written.rowwise() - exact.row(row)).rowwise().norm().minCoeff());
+      }
+      for (Eigen::Index row = 1; row < written.rows(); ++row) {
+        step = std::max(step, (written.row(row) - written.row(row - 1)).norm());
+      }
+      // Vertices and handles are each rounded by 0.005, and the nearest point may lie between two.
+      ASSERT_LE(farthest, 5 * tolerance + 0.01 * std::sqrt(2.0) + step / 2)
+          << tolerance << " at " << time;
+    }
+  }
+  EXPECT_EQ(items(Json::parse(lottie(animation, options_with(0)))["layers"][0], "sh")[0]["ks"]["k"]
+                .size(),
+            101U);
+}
+
+TEST(Lottie, HasASizeAndABackground) {
+  OutputOptions options = options_with(0);
+  options.size = RasterSize{300, 160};
+  options.background = Colour{1, 0, 0};
+  const Json json = Json::parse(lottie(sample_animation(), options));
+  EXPECT_EQ(json["w"], 300);
+  EXPECT_EQ(json["h"], 160);
+  ASSERT_EQ(json["layers"].size(), 4U);
+  const Json& ground = json["layers"][3];
+  EXPECT_EQ(ground["ty"], 1);
+  EXPECT_EQ(ground["sc"], "#ff0000");
+  EXPECT_EQ(ground["sw"], 300);
+  // The drawing of 100 by 80 stands in the middle, 200 pixels wide.
+  const Json vertex = items(json["layers"][2], "sh")[0]["ks"]["k"][0]["s"][0]["v"][0];
+  EXPECT_NEAR(vertex[0].get<double>(), 50 + 2 * (70 + 10), 0.05);
 }
 
 TEST(Lottie, RefusesUnequalVertexCountsAndNamesTheLayer) {

@@ -1,5 +1,6 @@
 #include "wavecurve/io/animations/write_animation.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/io/animations/animation_test.hpp"
 #include "wavecurve/io/animations/detail/html_player.hpp"
 #include "wavecurve/io/files/read_file.hpp"
@@ -90,6 +92,55 @@ TEST_F(WriteAnimation, FramesDecodeToWhatWasRendered) {
       (folder_ / "a.mp4").string() + "' >'" + (folder_ / "out").string() + "'";
   ASSERT_EQ(std::system(probe.c_str()), 0);
   EXPECT_EQ(read_file(folder_ / "out"), "64,52,yuv420p,4\n");
+}
+
+/// What ffprobe says of a video, and of what is decoded from it.
+std::string probed(const fs::path& video, const fs::path& out, const std::string& entries) {
+  const std::string command = "ffprobe -v error -show_entries " + entries + " -of csv=p=0 '" +
+                              video.string() + "' >'" + out.string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return read_file(out);
+}
+
+/// The opacity of a pixel at the left upper corner of the first frame, and of the one in the middle.
+std::string opacities(const fs::path& video, const fs::path& out) {
+  const std::string decoder = video.extension() == ".webm" ? "-c:v libvpx-vp9 " : "";
+  const std::string command = "ffmpeg -v error -y " + decoder + "-i '" + video.string() +
+                              "' -frames:v 1 -pix_fmt rgba -f rawvideo '" + out.string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  const std::string bytes = read_file(out);
+  EXPECT_EQ(bytes.size(), 64U * 52 * 4);
+  return std::to_string(static_cast<unsigned char>(bytes.at(3))) + " " +
+         std::to_string(static_cast<unsigned char>(bytes.at(4 * (64 * 26 + 32) + 3)));
+}
+
+TEST_F(WriteAnimation, FilmsMayBeTransparent) {
+  for (const char* name : {"a.gif", "a.webm"}) {
+    write(folder_ / name);
+    EXPECT_EQ(opacities(folder_ / name, folder_ / "out"), "255 255") << name;
+  }
+  options_.transparent = true;
+  for (const char* name : {"a.gif", "a.webm"}) {
+    write(folder_ / name);
+    EXPECT_EQ(opacities(folder_ / name, folder_ / "out"), "0 255") << name;
+  }
+  EXPECT_THROW(write(folder_ / "a.mp4"), std::invalid_argument);
+  options_.background = Colour{1, 0, 0};  // then nothing shows through
+  write(folder_ / "a.gif");
+  EXPECT_EQ(opacities(folder_ / "a.gif", folder_ / "out"), "255 255");
+}
+
+TEST_F(WriteAnimation, FilmsHaveTheSizeAsked) {
+  options_.size = RasterSize{81, 50};
+  write(folder_ / "a.gif");
+  EXPECT_EQ(probed(folder_ / "a.gif", folder_ / "out", "stream=width,height"), "81,50\n");
+  EXPECT_THROW(write(folder_ / "a.mp4"), std::invalid_argument);
+  EXPECT_THROW(write(folder_ / "a.webm"), std::invalid_argument);
+  options_.size = RasterSize{80, 50};
+  write(folder_ / "a.mp4");
+  EXPECT_EQ(probed(folder_ / "a.mp4", folder_ / "out", "stream=width,height"), "80,50\n");
+  options_.frames = 500;  // in two seconds
+  EXPECT_THROW(write(folder_ / "a.gif"), std::invalid_argument);
 }
 
 TEST_F(WriteAnimation, UnwritablePlacesAreReportedAndLeaveNothing) {
@@ -178,6 +229,45 @@ TEST(HtmlPlayer, HoldsTheCoefficientsAndTheTaps) {
   for (Eigen::Index i = 0; i < 512; ++i) {
     EXPECT_NEAR(source[static_cast<std::size_t>(i)], expected(i / 2, i % 2), 0.0005 + 1e-9);
   }
+}
+
+TEST(HtmlPlayer, LeavesOutDetailsTooSmallToMatter) {
+  const motion::Morph morph = sample_morph(motion::Detail::blend);
+  OutputOptions options;
+  options.tolerance = 0.05;
+  const std::string html = html_player(morph, options);
+  const nlohmann::json data = data_of(html);
+  EXPECT_LT(data.dump().size(),
+            0.7 * static_cast<double>(data_of(html_player(morph)).dump().size()));
+  for (std::size_t layer = 0; layer < 2; ++layer) {
+    const motion::ContourPair& pair = morph.layers[layer].contours[0];
+    const nlohmann::json& contour = data["layers"][layer]["contours"][0];
+    for (const auto& [name, exact] :
+         {std::pair{"source", &pair.source}, {"destination", &pair.destination}}) {
+      std::vector<double> numbers;
+      for (const nlohmann::json& value : contour[name]) {
+        if (value.is_number()) numbers.push_back(value);
+        if (value.is_string())
+          numbers.resize(numbers.size() + 2 * std::stoul(value.get<std::string>()));
+      }
+      ASSERT_EQ(numbers.size(), 512U) << name;
+      const Contour written =
+          Eigen::Map<Eigen::Matrix<double, 256, 2, Eigen::RowMajor>>(numbers.data());
+      const Contour moved = to_samples(morph.bank, written - *exact, morph.levels);
+      // Each coefficient is rounded by 0.0005, and a point is a sum of few of them: of 4 + 1 levels the taps
+      // of bspline-like and Daubechies' filters sum to less than 4 in absolute value.
+      EXPECT_LE(moved.rowwise().norm().maxCoeff(), 0.05 + 5 * 4 * 0.0005 * std::sqrt(2.0)) << name;
+    }
+  }
+}
+
+TEST(HtmlPlayer, ShowsItsBackground) {
+  OutputOptions options;
+  EXPECT_TRUE(data_of(html_player(sample_animation(), options))["background"].is_null());
+  options.transparent = true;
+  EXPECT_EQ(data_of(html_player(sample_animation(), options))["background"], "none");
+  options.background = Colour{0, 0, 1};
+  EXPECT_EQ(data_of(html_player(sample_animation(), options))["background"], "#0000ff");
 }
 
 TEST(HtmlPlayer, LoadsNothingAndIsNotBrokenByText) {

@@ -60,10 +60,11 @@ void check_order(const Animation& animation) {
     before = key.time;
     std::vector<std::size_t> order = key.order;
     std::sort(order.begin(), order.end());
-    bool is_whole = order.size() == animation.layers.size();
-    for (std::size_t i = 0; is_whole && i < order.size(); ++i) is_whole = order[i] == i;
-    demand(is_whole, fmt::format("order key at {} s does not name each of {} layers once", key.time,
-                                 animation.layers.size()));
+    const bool names_each_once = std::adjacent_find(order.begin(), order.end()) == order.end() &&
+                                 (order.empty() || order.back() < animation.layers.size());
+    demand(names_each_once,
+           fmt::format("order key at {} s does not name each of its {} layers once", key.time,
+                       animation.layers.size()));
   }
 }
 

@@ -13,8 +13,10 @@
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/curves/signed_area.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/motion/chain.hpp"
 #include "wavecurve/motion/detail/blend_paint.hpp"
 #include "wavecurve/motion/morph/detail/exchange_times.hpp"
+#include "wavecurve/motion/morph/detail/held_corners.hpp"
 #include "wavecurve/motion/morph/detail/orientation.hpp"
 #include "wavecurve/motion/morph/detail/painting_order.hpp"
 #include "wavecurve/motion/morph/detail/pair_contours.hpp"
@@ -103,6 +105,35 @@ void check_starts(const Layers& source, const MorphOptions& options) {
   }
 }
 
+/// Layers whose contours are mapped are matched, too.
+LayerMap with_mapped_contours(const MorphOptions& options) {
+  LayerMap map = options.map;
+  for (const MappedContours& one : options.contours) {
+    const std::pair layers(one.source_layer, one.destination_layer);
+    if (std::find(map.begin(), map.end(), layers) == map.end()) map.push_back(layers);
+  }
+  return map;
+}
+
+/// Anchors need a layer that has a partner, and no start besides.
+void check_layers_met(const std::vector<LayerMatch>& matches, const Layers& source,
+                      const MorphOptions& options) {
+  for (const Anchor& anchor : options.anchors) {
+    const bool is_met = std::any_of(matches.begin(), matches.end(), [&](const LayerMatch& match) {
+      return match.source && match.destination && source[*match.source].id == anchor.layer;
+    });
+    if (!is_met) {
+      throw std::invalid_argument(
+          fmt::format("the anchor {}:{}={} fits no layer of the source that has a partner",
+                      anchor.layer, anchor.source, anchor.destination));
+    }
+    if (start_of(anchor.layer, options)) {
+      throw std::invalid_argument(
+          fmt::format("layer '{}' has an anchor and a start; one of them decides", anchor.layer));
+    }
+  }
+}
+
 double contours_of(const Drawing& drawing) {
   double count = 0;
   for (const Layer& layer : drawing.layers) count += static_cast<double>(layer.subpaths.size());
@@ -158,9 +189,31 @@ Paint fill_of(Paint paint) {
   return paint;
 }
 
+/// The contours that the options match in two layers.
+ContourMap contour_map(const MorphOptions& options, const std::string& source,
+                       const std::string& destination) {
+  ContourMap map;
+  for (const MappedContours& one : options.contours) {
+    if (one.source_layer == source && one.destination_layer == destination) {
+      map.emplace_back(one.source, one.destination);
+    }
+  }
+  return map;
+}
+
+VertexPairs anchors_of(const MorphOptions& options, const std::string& layer) {
+  VertexPairs anchors;
+  for (const Anchor& anchor : options.anchors) {
+    if (anchor.layer == layer) anchors.emplace_back(anchor.source, anchor.destination);
+  }
+  return anchors;
+}
+
 /// Makes the layers of a morph; each ground is that of a whole drawing.
 struct LayerMaker {
   const MorphOptions& options;
+  const Drawing &source_drawing, &destination_drawing;  ///< in one box
+  double same_place;                                    ///< distance of points that are one
   std::vector<Contour> source_ground, destination_ground;
 
   MorphLayer layer(const std::string& id, std::vector<ContourPair> contours, const Paint& from,
@@ -182,16 +235,25 @@ struct LayerMaker {
                                  const Layers& to) const {
     if (!match.destination) return {vanishing_layer(from[*match.source])};
     if (!match.source) return {appearing_layer(to[*match.destination])};
-    return paired_layers(from[*match.source], to[*match.destination]);
+    HeldVertices holder(source_drawing.layers[*match.source],
+                        destination_drawing.layers[*match.destination],
+                        anchors_of(options, from[*match.source].id), same_place);
+    auto layers = paired_layers(from[*match.source], to[*match.destination], holder);
+    holder.check_found();
+    return layers;
   }
 
-  std::vector<MorphLayer> paired_layers(const FrameLayer& source,
-                                        const FrameLayer& destination) const {
+  std::vector<MorphLayer> paired_layers(const FrameLayer& source, const FrameLayer& destination,
+                                        HeldVertices& holder) const {
     const bool opens = is_outline_of_solid(source, destination);
     const bool closes = is_outline_of_solid(destination, source);
-    ContourPairs pairs = pair_contours(opens ? with_holes(source) : source,
-                                       closes ? with_holes(destination) : destination,
-                                       options.rotation, start_of(source.id, options));
+    const auto start = start_of(source.id, options);
+    HeldPair held;
+    if (!start)
+      held = [&](std::size_t i, std::size_t j) { return holder.pair(source, destination, i, j); };
+    ContourPairs pairs = pair_contours(
+        opens ? with_holes(source) : source, closes ? with_holes(destination) : destination,
+        options.rotation, start, contour_map(options, source.id, destination.id), held);
     const bool has_stroke = source.paint.stroke || destination.paint.stroke;
     const bool all_last = pairs.vanishing.empty() && pairs.appearing.empty();
     if (!has_stroke || (all_last && !opens && !closes)) {
@@ -279,8 +341,11 @@ Morph make_morph(const Drawing& source, const Drawing& destination, const MorphO
               options.duration,
               {}};
   const double diagonal = std::hypot(source.view_box.width, source.view_box.height);
-  const LayerMaker maker{options, ground(from), ground(to)};
-  const std::vector<LayerMatch> matches = match_layers(from, to, diagonal, options.map);
+  const Drawing in_box = fitted(destination, source.view_box);
+  const LayerMaker maker{options, source, in_box, 1e-6 * diagonal, ground(from), ground(to)};
+  const std::vector<LayerMatch> matches =
+      match_layers(from, to, diagonal, with_mapped_contours(options));
+  check_layers_met(matches, from, options);
   std::set<std::string> ids;
   std::vector<std::vector<std::size_t>> of_match;  // the layers made of it
   for (const LayerMatch& match : matches) {

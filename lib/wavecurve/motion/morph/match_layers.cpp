@@ -112,19 +112,42 @@ std::vector<std::size_t> unmatched(const Partners& partners) {
   return places;
 }
 
-double colour_distance(const std::optional<Colour>& a, const std::optional<Colour>& b) {
+using Lab = std::optional<Eigen::Vector3d>;
+
+Lab lab_of(const std::optional<Colour>& colour) {
+  return colour ? Lab(to_oklab(*colour)) : std::nullopt;
+}
+
+/// What a layer is matched by.
+struct Look {
+  explicit Look(const FrameLayer& layer)
+      : centre(largest(layer.contours).colwise().mean()),
+        size(std::sqrt(area(layer.contours))),
+        fill(lab_of(layer.paint.fill)),
+        stroke(lab_of(layer.paint.stroke)) {}
+  Eigen::RowVector2d centre;
+  double size;  ///< root of the area
+  Lab fill, stroke;
+};
+
+std::vector<Look> looks(const Layers& layers, const std::vector<std::size_t>& places) {
+  std::vector<Look> result;
+  for (const std::size_t place : places) result.emplace_back(layers[place]);
+  return result;
+}
+
+double colour_distance(const Lab& a, const Lab& b) {
   if (a.has_value() != b.has_value()) return 1;
-  return a ? (to_oklab(*a) - to_oklab(*b)).norm() : 0;
+  return a ? (*a - *b).norm() : 0;
 }
 
 /// Each share 0 .. about 1.
-double matching_cost(const FrameLayer& a, const FrameLayer& b, double diagonal) {
-  const double distance =
-      (largest(a.contours).colwise().mean() - largest(b.contours).colwise().mean()).norm();
-  const double size = std::abs(std::sqrt(area(a.contours)) - std::sqrt(area(b.contours)));
-  const bool has_fill = a.paint.fill || b.paint.fill;
-  const double colour = has_fill ? colour_distance(a.paint.fill, b.paint.fill)
-                                 : colour_distance(a.paint.stroke, b.paint.stroke);
+double matching_cost(const Look& a, const Look& b, double diagonal) {
+  const double distance = (a.centre - b.centre).norm();
+  const double size = std::abs(a.size - b.size);
+  const bool has_fill = a.fill || b.fill;
+  const double colour =
+      has_fill ? colour_distance(a.fill, b.fill) : colour_distance(a.stroke, b.stroke);
   return (distance + size) / diagonal + colour;
 }
 
@@ -132,11 +155,11 @@ void match_by_cost(const Layers& source, const Layers& destination, double diago
                    Matching& matching) {
   const auto s = unmatched(matching.of_source), d = unmatched(matching.of_destination);
   check_assignment("layers", s.size(), d.size());
+  const std::vector<Look> from = looks(source, s), to = looks(destination, d);
   Eigen::MatrixXd cost(s.size(), d.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     for (std::size_t j = 0; j < d.size(); ++j) {
-      cost(static_cast<Index>(i), static_cast<Index>(j)) =
-          matching_cost(source[s[i]], destination[d[j]], diagonal);
+      cost(static_cast<Index>(i), static_cast<Index>(j)) = matching_cost(from[i], to[j], diagonal);
     }
   }
   const auto column_of = optimal_assignment(cost);

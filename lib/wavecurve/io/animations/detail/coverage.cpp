@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <initializer_list>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "wavecurve/elementary/arctangent.hpp"
 #include "wavecurve/elementary/sine_cosine.hpp"
@@ -132,6 +134,44 @@ void append_dot(std::vector<Contour>& pieces, const Eigen::RowVector2d& here, co
                           here + Eigen::RowVector2d(r, r), here + Eigen::RowVector2d(-r, r)}));
 }
 
+/// What lies beside a vertex at the left hand, where the sides of two steps meet: none where so much of a
+/// gap would show there, or a spike, or where the inner sides are too short to meet.
+std::optional<Eigen::RowVector2d> shared_offset(const Step& before, const Step& after,
+                                                double radius) {
+  const double lengths = before.way.norm() * after.way.norm();
+  const double cosine = before.way.dot(after.way) / lengths;
+  if (!(cosine > 0)) return std::nullopt;
+  const double half_tangent = std::sqrt((1 - std::min(cosine, 1.0)) / (1 + cosine));
+  const double spike = radius * (std::sqrt(1 + half_tangent * half_tangent) - 1);
+  const double shorter = std::min(before.way.norm(), after.way.norm());
+  if (spike > least_seen || radius * half_tangent > shorter / 2) return std::nullopt;
+  return (before.offset + after.offset) / (1 + cosine);
+}
+
+/// The rectangles of steps whose sides meet, as one polygon: along the left sides there, and along the
+/// right sides back. It winds about a point as often as these pieces do together.
+class Strip {
+ public:
+  void add(const Eigen::RowVector2d& point, const Eigen::RowVector2d& offset) {
+    left_.push_back(point + offset);
+    right_.push_back(point - offset);
+  }
+  void end(std::vector<Contour>& pieces) {
+    const auto count = static_cast<Eigen::Index>(left_.size());
+    Contour polygon(2 * count, 2);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      polygon.row(i) = left_[static_cast<std::size_t>(i)];
+      polygon.row(2 * count - 1 - i) = right_[static_cast<std::size_t>(i)];
+    }
+    pieces.push_back(std::move(polygon));
+    left_.clear();
+    right_.clear();
+  }
+
+ private:
+  std::vector<Eigen::RowVector2d> left_, right_;
+};
+
 void append_stroke(std::vector<Contour>& pieces, const Contour& line, bool open, const Pen& pen) {
   const Eigen::Index n = line.rows(), edges = open ? n - 1 : n;
   if (n == 1) return append_dot(pieces, line.row(0), pen);
@@ -139,14 +179,26 @@ void append_stroke(std::vector<Contour>& pieces, const Contour& line, bool open,
     return Step(line.row(i), line.row((i + 1) % n), pen.radius);
   };
   Step before = step(open ? 0 : n - 1);
+  Strip strip;
+  std::optional<Eigen::RowVector2d> at_start;
   for (Eigen::Index i = 0; i < edges; ++i) {
-    const Eigen::RowVector2d here = line.row(i), next = line.row((i + 1) % n);
+    const Eigen::RowVector2d here = line.row(i);
     const Step now = step(i);
-    pieces.push_back(
-        piece({here + now.offset, next + now.offset, next - now.offset, here - now.offset}));
-    if (!open || i > 0) append_join(pieces, here, before, now, pen);
+    const bool is_end = open && i == 0;
+    const auto shared = is_end ? std::nullopt : shared_offset(before, now, pen.radius);
+    if (!shared && !is_end) {
+      if (i > 0) {
+        strip.add(here, before.offset);
+        strip.end(pieces);
+      }
+      append_join(pieces, here, before, now, pen);
+    }
+    strip.add(here, shared.value_or(now.offset));
+    if (i == 0) at_start = shared;
     before = now;
   }
+  strip.add(line.row(edges % n), at_start.value_or(before.offset));
+  strip.end(pieces);
   if (!open) return;
   append_cap(pieces, line.row(0), step(0), pen);
   append_cap(pieces, line.row(n - 1), Step(line.row(n - 1), line.row(n - 2), pen.radius), pen);

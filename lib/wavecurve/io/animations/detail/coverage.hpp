@@ -38,8 +38,8 @@ struct Pen {
 };
 
 /// The stroke of lines, which are closed but those that are `open`, as polygons to be filled by the
-/// nonzero rule: a rectangle an edge, the caps, and at a vertex a wedge, and what of the join shows
-/// beyond it. A line without length has its caps alone, as SVG has it. In pixels.
+/// nonzero rule: a rectangle an edge, in one where their sides nearly meet, the caps, and at another vertex a
+/// wedge, and what of the join shows beyond it. A line without length has its caps alone, as SVG has it. In pixels.
 std::vector<Contour> stroke_polygons(const std::vector<Contour>& lines,
                                      const std::vector<bool>& open, const Pen& pen);
 

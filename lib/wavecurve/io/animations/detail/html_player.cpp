@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "wavecurve/curves/coefficients.hpp"
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/control_points.hpp"
 #include "wavecurve/io/animations/detail/player_page.hpp"
@@ -30,6 +31,50 @@ Json points_json(const Contour& contour, const Decimals& decimals) {
     json.push_back(decimals.rounded(contour(row, 1)));
   }
   return json;
+}
+
+/// The coefficients without the details that are too small to matter: the curve of the others is nowhere
+/// farther than the tolerance from the whole one.
+Contour without_small_details(const motion::Morph& morph, const Contour& coefficients,
+                              double tolerance) {
+  const Eigen::Index coarse = coefficients.rows() >> morph.levels;
+  for (double threshold = tolerance;; threshold /= 2) {
+    Contour small = coefficients;
+    for (Eigen::Index row = 0; row < small.rows(); ++row) {
+      if (row < coarse || small.row(row).norm() > threshold) small.row(row).setZero();
+    }
+    const Contour moved = to_samples(morph.bank, small, morph.levels);
+    if (moved.rowwise().norm().maxCoeff() <= tolerance) return coefficients - small;
+  }
+}
+
+/// The points of coefficients many of which are zero: a text is a number of points that are.
+Json sparse_json(const Contour& coefficients, const Decimals& decimals) {
+  Json json = Json::array();
+  int zeros = 0;
+  const auto end_zeros = [&] {
+    if (zeros > 0) json.push_back(std::to_string(zeros));
+    zeros = 0;
+  };
+  for (Eigen::Index row = 0; row < coefficients.rows(); ++row) {
+    const double x = decimals.rounded(coefficients(row, 0));
+    const double y = decimals.rounded(coefficients(row, 1));
+    if (x == 0 && y == 0) {
+      ++zeros;
+      continue;
+    }
+    end_zeros();
+    json.push_back(x);
+    json.push_back(y);
+  }
+  end_zeros();
+  return json;
+}
+
+Json coefficients_json(const motion::Morph& morph, const Contour& coefficients,
+                       const Decimals& decimals, double tolerance) {
+  if (tolerance == 0) return points_json(coefficients, decimals);
+  return sparse_json(without_small_details(morph, coefficients, tolerance), decimals);
 }
 
 Json colour_json(const std::optional<Colour>& colour) {
@@ -95,6 +140,11 @@ std::string_view detail_name(motion::Detail detail) {
   }
 }
 
+Json background_json(const OutputOptions& options) {
+  if (options.background) return hex_colour(*options.background);
+  return options.transparent ? Json("none") : Json(nullptr);
+}
+
 /// What every page holds.
 Json page_json(const ViewBox& box, double duration, const OutputOptions& options) {
   check_at_least("frames", options.frames, 2);
@@ -102,6 +152,7 @@ Json page_json(const ViewBox& box, double duration, const OutputOptions& options
           {"duration", duration},
           {"frames", options.frames},
           {"places", Decimals::for_box(box, options.accuracy).places()},
+          {"background", background_json(options)},
           {"layers", Json::array()}};
 }
 
@@ -150,8 +201,12 @@ std::string html_player(const motion::Animation& animation, const OutputOptions&
 
 std::string html_player(const motion::Morph& morph, const OutputOptions& options) {
   motion::check_animation(motion::animate(morph));
+  check_at_least("tolerance", options.tolerance, 0);
   // A tenth of the accuracy of points, since a point is a sum of several coefficients.
   const Decimals decimals = Decimals::for_box(morph.view_box, options.accuracy / 10);
+  const auto of = [&](const Contour& coefficients) {
+    return coefficients_json(morph, coefficients, decimals, options.tolerance);
+  };
   Json data = page_json(morph.view_box, morph.duration, options);
   data["repeat"] = options.loop ? "bounce" : "once";
   data["cubic"] = false;
@@ -167,8 +222,8 @@ std::string html_player(const motion::Morph& morph, const OutputOptions& options
     json["open"] = motion::open_contours(layer);
     json["contours"] = Json::array();
     for (const motion::ContourPair& pair : layer.contours) {
-      json["contours"].push_back({{"source", points_json(pair.source, decimals)},
-                                  {"destination", points_json(pair.destination, decimals)}});
+      json["contours"].push_back(
+          {{"source", of(pair.source)}, {"destination", of(pair.destination)}});
     }
     data["layers"].push_back(json);
   }

@@ -44,13 +44,26 @@ std::vector<bool> longest_increasing(const std::vector<std::size_t>& values) {
   return chosen;
 }
 
-/// The slots with new ones for the layers that do not stay where they are shown in order k - 1.
-Slots with_order(const Slots& slots, const Order& order, std::size_t k) {
-  std::vector<std::size_t> shown(order.size()), places;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    if (slots[i].is_shown[k - 1]) shown[slots[i].layer] = i;
+/// By layer: the slot where it was shown last before order k, or its first.
+std::vector<std::size_t> last_slots(const Slots& slots, std::size_t k) {
+  std::vector<std::size_t> last(slots.size());
+  std::vector<std::size_t> orders(slots.size(), 0);  // one more than the order, none of them yet
+  for (std::size_t i = slots.size(); i-- > 0;) {
+    const PaintingSlot& slot = slots[i];
+    std::size_t order = k;
+    while (order > 0 && !slot.is_shown[order - 1]) --order;
+    if (order < orders[slot.layer]) continue;
+    orders[slot.layer] = order;
+    last[slot.layer] = i;
   }
-  for (const std::size_t layer : order) places.push_back(shown[layer]);
+  return last;
+}
+
+/// The slots with new ones for the layers that do not stay where they were shown last.
+Slots with_order(const Slots& slots, const Order& order, std::size_t k) {
+  const std::vector<std::size_t> last = last_slots(slots, k);
+  std::vector<std::size_t> places;
+  for (const std::size_t layer : order) places.push_back(last[layer]);
   const std::vector<bool> stays = longest_increasing(places);
   Slots result;
   auto next = slots.begin();
@@ -90,6 +103,8 @@ Slots painting_slots(const motion::Animation& animation) {
     }
     for (const std::size_t slot : *found) slots[slot].is_shown[k] = true;
   }
+  if (orders == 1 || animation.order.front().time > 0) return slots;
+  for (PaintingSlot& slot : slots) slot.is_shown[0] = slot.is_shown[1];
   return slots;
 }
 

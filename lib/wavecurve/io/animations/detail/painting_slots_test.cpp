@@ -34,6 +34,17 @@ TEST(PaintingSlots, OneALayerWhereNothingIsExchanged) {
   EXPECT_TRUE(slots[1].is_always_shown());
 }
 
+TEST(PaintingSlots, HideWhatAnOrderLeavesOut) {
+  motion::Animation chain = with_orders(4, {{0, 1}, {1, 0}, {2, 3}});
+  chain.order[0].time = 0;
+  const auto slots = painting_slots(chain);
+  EXPECT_EQ(slots.size(), 5U);
+  EXPECT_EQ(shown(slots, 0), (Order{0, 1}));
+  EXPECT_EQ(shown(slots, 1), (Order{0, 1}));
+  EXPECT_EQ(shown(slots, 2), (Order{1, 0}));
+  EXPECT_EQ(shown(slots, 3), (Order{2, 3}));
+}
+
 TEST(PaintingSlots, OnlyWhatMovesHasTwo) {
   const auto slots = painting_slots(with_orders(4, {{3, 0, 1, 2}, {0, 1, 2, 3}}));
   ASSERT_EQ(slots.size(), 5U);  // and back again needs no third

@@ -12,6 +12,8 @@ namespace wavecurve::io {
 
 namespace {
 
+constexpr long most_pixels = 1L << 25;
+
 /// Components multiplied by the opacity, as mixing wants them.
 using Pixel = std::array<float, 4>;
 
@@ -71,6 +73,41 @@ RasterSize raster_size(const ViewBox& box, int pixels) {
     return std::max(2, 2 * static_cast<int>(std::lround(length / 2)));
   };
   return {even(scale * box.width), even(scale * box.height)};
+}
+
+RasterSize raster_size(const ViewBox& box, const OutputOptions& options) {
+  if (!options.size) return raster_size(box, options.pixels);
+  const auto [width, height] = *options.size;
+  check_between("the width of a picture", width, 2, 16384);
+  check_between("the height of a picture", height, 2, 16384);
+  check_between("the number of pixels of a picture", long{width} * height, 4, most_pixels);
+  return *options.size;
+}
+
+double resolution(const ViewBox& box, const OutputOptions& options) {
+  if (!options.size) return options.pixels / std::max(box.width, box.height);
+  return std::min(options.size->width / box.width, options.size->height / box.height);
+}
+
+ViewBox framed(const ViewBox& box, const OutputOptions& options) {
+  if (!options.size) return box;
+  const double scale = resolution(box, options);
+  const double width = options.size->width / scale, height = options.size->height / scale;
+  return {box.x - (width - box.width) / 2, box.y - (height - box.height) / 2, width, height};
+}
+
+Raster over(Raster raster, const std::optional<Colour>& background) {
+  if (!background) return raster;
+  const double channels[3] = {background->red, background->green, background->blue};
+  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
+    const double alpha = raster.rgba[i + 3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = alpha * raster.rgba[i + c] + (1 - alpha) * 255 * channels[c];
+      raster.rgba[i + c] = static_cast<std::uint8_t>(value + 0.5);
+    }
+    raster.rgba[i + 3] = 255;
+  }
+  return raster;
 }
 
 Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,

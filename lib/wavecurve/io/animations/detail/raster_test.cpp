@@ -117,6 +117,50 @@ TEST(Render, CentresTheViewBox) {
   }
 }
 
+TEST(Stroke, OfASmoothLineIsOnePolygon) {
+  std::size_t vertices = 0;
+  const Contour circle = flower(50, 50, 30, 1000);
+  const std::vector<Contour> pieces =
+      stroke_polygons({circle}, {}, {5, LineCap::butt, LineJoin::miter, 4});
+  for (const Contour& polygon : pieces) vertices += static_cast<std::size_t>(polygon.rows());
+  EXPECT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(vertices, 2 * 1001U);
+  EXPECT_NEAR(area(pieces, FillRule::nonzero), std::numbers::pi * (35 * 35 - 25 * 25), 3);
+}
+
+TEST(Stroke, LeavesNoGapWhereALineBendsMoreSharplyThanThePenIsWide) {
+  // A circle smaller than the pen's: all of it is covered, and nothing twice turned the other way.
+  const Contour circle = flower(50, 50, 2, 200);
+  EXPECT_NEAR(area(stroke_polygons({circle}, {}, round_pen(10)), FillRule::nonzero),
+              std::numbers::pi * 144, 2);
+}
+
+TEST(RasterSize, IsThatOfTheOptions) {
+  OutputOptions options;
+  EXPECT_EQ(raster_size({0, 0, 10, 5}, options).height, 256);
+  EXPECT_EQ(framed({0, 0, 10, 5}, options), (ViewBox{0, 0, 10, 5}));
+  EXPECT_EQ(resolution({0, 0, 10, 5}, options), 51.2);
+  options.size = RasterSize{301, 100};
+  EXPECT_EQ(raster_size({0, 0, 10, 5}, options).width, 301);
+  EXPECT_EQ(resolution({0, 0, 10, 5}, options), 20);
+  const ViewBox box = framed({0, 0, 10, 5}, options);
+  EXPECT_DOUBLE_EQ(box.x, -2.525);
+  EXPECT_DOUBLE_EQ(box.width, 15.05);
+  EXPECT_EQ(box.y, 0);
+  EXPECT_EQ(box.height, 5);
+  for (const RasterSize size : {RasterSize{1, 9}, RasterSize{9, 16385}, RasterSize{16384, 16384}}) {
+    options.size = size;
+    EXPECT_THROW(raster_size({0, 0, 1, 1}, options), std::invalid_argument);
+  }
+}
+
+TEST(Over, MixesWithTheBackground) {
+  const Raster raster{1, 2, {255, 0, 0, 0, 255, 0, 0, 51}};
+  EXPECT_EQ(over(raster, std::nullopt).rgba, raster.rgba);
+  EXPECT_EQ(over(raster, Colour{0, 0, 1}).rgba,
+            (std::vector<std::uint8_t>{0, 0, 255, 255, 51, 0, 204, 255}));
+}
+
 TEST(RasterSize, IsEven) {
   const RasterSize size = raster_size({0, 0, 100, 33}, 401);
   EXPECT_EQ(size.width, 402);

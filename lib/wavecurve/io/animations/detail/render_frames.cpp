@@ -13,7 +13,7 @@ void render_frames(const motion::Animation& animation, const OutputOptions& opti
                    const std::function<void(const Raster&)>& take) {
   motion::check_animation(animation);
   check_at_least("frames", options.frames, 2);
-  const RasterSize size = raster_size(animation.view_box, options.pixels);
+  const RasterSize size = raster_size(animation.view_box, options);
   for (int i = 0; i < options.frames; ++i) {
     const double time = animation.duration * i / (options.frames - 1);
     take(render(motion::frame_at(animation, time), animation.view_box, size));

@@ -96,7 +96,8 @@ void write_frames(const fs::path& path, const motion::Animation& animation,
   Temporary frames(folder, Temporary::Kind::folder);
   int number = 0;
   render_frames(animation, options, [&](const Raster& raster) {
-    write_file(frames.path() / fmt::format("frame-{:04}.png", ++number), png(raster));
+    write_file(frames.path() / fmt::format("frame-{:04}.png", ++number),
+               png(over(raster, options.background)));
   });
   if (lock) return replace(frames, folder);
   // Fails if another run has made the folder meanwhile.

@@ -7,7 +7,7 @@
 
 namespace wavecurve::io {
 
-/// Writes a folder of transparent images frame-0001.png, frame-0002.png, ... It is made beside, and
+/// Writes a folder of images frame-0001.png, frame-0002.png, ..., transparent but for the options' background. It is made beside, and
 /// then changes places with a folder of that name, if only plain files of such names are in that:
 /// the frames are the old or the new ones at every moment, and a link to a folder stays a link.
 /// Where the file system has no exchange, the old folder is called FOLDER.wavecurve-old in between,

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/render_frames.hpp"
 #include "wavecurve/io/files/detail/child_process.hpp"
 #include "wavecurve/io/files/detail/output_path.hpp"
@@ -29,6 +30,24 @@ namespace fs = std::filesystem;
   throw std::system_error(error, std::generic_category(), message);
 }
 
+bool is_transparent(const OutputOptions& options) {
+  return options.transparent && !options.background;
+}
+
+/// Gives pixels that do not show the colour of the one before them in their row, or after: what a
+/// codec mixes at an edge is then the edge's own colour, not black.
+void spread_colours(Raster& raster) {
+  const auto pixels = static_cast<std::ptrdiff_t>(raster.width);
+  for (int y = 0; y < raster.height; ++y) {
+    std::uint8_t* row = raster.rgba.data() + 4 * pixels * y;
+    const auto copy = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
+      if (row[4 * to + 3] == 0) std::copy_n(row + 4 * from, 3, row + 4 * to);
+    };
+    for (std::ptrdiff_t x = pixels - 1; x > 0; --x) copy(x, x - 1);
+    for (std::ptrdiff_t x = 1; x < pixels; ++x) copy(x - 1, x);
+  }
+}
+
 /// What ffmpeg is to do with the frames; repeatable to the byte, for it divides the work among
 /// threads nowhere.
 std::vector<std::string> encoding(const std::string& ending, const OutputOptions& options) {
@@ -36,6 +55,10 @@ std::vector<std::string> encoding(const std::string& ending, const OutputOptions
     return {"-vf",   "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none",
             "-loop", options.loop ? "0" : "-1",
             "-f",    "gif"};
+  }
+  if (ending == ".webm" && is_transparent(options)) {
+    return {"-c:v", "libvpx-vp9", "-pix_fmt", "yuva420p", "-auto-alt-ref", "0", "-crf",
+            "24",   "-b:v",       "0",        "-f",       "webm"};
   }
   if (ending == ".mp4") {
     return {"-c:v", "libx264",   "-pix_fmt",   "yuv420p", "-crf",
@@ -47,18 +70,35 @@ std::vector<std::string> encoding(const std::string& ending, const OutputOptions
   throw std::invalid_argument("no video format has the ending of " + ending);
 }
 
-std::string over_background(const Raster& raster, const Colour& background) {
-  const double channels[3] = {background.red, background.green, background.blue};
-  std::string rgb;
-  rgb.reserve(raster.rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
-    const double alpha = raster.rgba[i + 3] / 255.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double value = alpha * raster.rgba[i + c] + (1 - alpha) * 255 * channels[c];
-      rgb += static_cast<char>(static_cast<unsigned char>(value + 0.5));
-    }
+/// The bytes of a frame: rgba where it is transparent, else rgb.
+std::string frame_bytes(Raster raster, const OutputOptions& options) {
+  std::string bytes;
+  if (is_transparent(options)) {
+    spread_colours(raster);
+    return {raster.rgba.begin(), raster.rgba.end()};
   }
-  return rgb;
+  raster = over(std::move(raster), options.background.value_or(Colour{1, 1, 1}));
+  bytes.reserve(raster.rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < raster.rgba.size(); ++i) {
+    if (i % 4 != 3) bytes += static_cast<char>(raster.rgba[i]);
+  }
+  return bytes;
+}
+
+/// What the formats do not have.
+void check_format(const std::string& ending, RasterSize size, double rate,
+                  const OutputOptions& options) {
+  if (ending == ".mp4" && is_transparent(options)) {
+    throw std::invalid_argument("an .mp4 has no transparency: it needs a background");
+  }
+  if (ending != ".gif" && (size.width % 2 != 0 || size.height % 2 != 0)) {
+    throw std::invalid_argument(must_be("the size of an " + ending,
+                                        fmt::format("{}x{}", size.width, size.height),
+                                        "two even numbers"));
+  }
+  if (ending == ".gif" && rate > 100) {
+    throw std::invalid_argument(must_be("the rate of a .gif", rate, "at most 100 frames a second"));
+  }
 }
 
 std::vector<std::string> encoder(const std::string& ending, RasterSize size, double rate,
@@ -71,7 +111,7 @@ std::vector<std::string> encoder(const std::string& ending, RasterSize size, dou
                                  "-f",
                                  "rawvideo",
                                  "-pix_fmt",
-                                 "rgb24",
+                                 is_transparent(options) ? "rgba" : "rgb24",
                                  "-video_size",
                                  fmt::format("{}x{}", size.width, size.height),
                                  "-framerate",
@@ -125,7 +165,7 @@ void encode(const std::vector<std::string>& command, const fs::path& video,
     throw std::system_error(error.code(), "cannot run ffmpeg, which .gif, .mp4 and .webm need");
   }
   render_frames(animation, options, [&](const Raster& raster) {
-    if (ffmpeg->write(over_background(raster, options.background))) return;
+    if (ffmpeg->write(frame_bytes(raster, options))) return;
     finish(*ffmpeg, "ffmpeg", path);
     cannot_write_video(EIO, "cannot write " + path.string() + ": ffmpeg does not read all frames");
   });
@@ -168,8 +208,9 @@ void copy_video(const Temporary& video, const fs::path& path) {
 void write_video(const fs::path& path, const motion::Animation& animation,
                  const OutputOptions& options) {
   motion::check_animation(animation);
-  const RasterSize size = raster_size(animation.view_box, options.pixels);
+  const RasterSize size = raster_size(animation.view_box, options);
   const double rate = (options.frames - 1) / animation.duration;
+  check_format(path.extension().string(), size, rate, options);
   // Nothing can be made beside a pipe or a device.
   const bool special = is_special(path);
   Temporary video(special ? fs::temp_directory_path() / "video" : output_path(path),

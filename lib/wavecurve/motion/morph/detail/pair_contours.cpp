@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "wavecurve/curves/signed_area.hpp"
+#include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/motion/morph/detail/assignment.hpp"
 #include "wavecurve/motion/morph/detail/nesting.hpp"
 
@@ -22,8 +26,17 @@ using Outline = std::vector<Contour>;
 enum class Kind { outer, hole, line };
 
 struct Piece {
+  Piece(std::size_t place, const Contour& points, bool is_open)
+      : index(place),
+        contour(points),
+        is_line(is_open),
+        centre(points.colwise().mean()),
+        size(std::sqrt(std::abs(signed_area(points)))) {}
+  std::size_t index;  ///< in the layer
   const Contour& contour;
   bool is_line;
+  Eigen::RowVector2d centre;
+  double size;  ///< root of the area
 };
 
 std::vector<Piece> of_kind(const FrameLayer& layer, Kind kind, bool lines_are_outer) {
@@ -33,7 +46,7 @@ std::vector<Piece> of_kind(const FrameLayer& layer, Kind kind, bool lines_are_ou
     const Kind own = is_line ? (lines_are_outer ? Kind::outer : Kind::line)
                      : signed_area(layer.contours[i]) >= 0 ? Kind::outer
                                                            : Kind::hole;
-    if (own == kind) chosen.push_back({layer.contours[i], is_line});
+    if (own == kind) chosen.emplace_back(i, layer.contours[i], is_line);
   }
   return chosen;
 }
@@ -62,11 +75,8 @@ bool has_only_lines(const FrameLayer& layer) {
   return true;
 }
 
-double root_of_area(In contour) { return std::sqrt(std::abs(signed_area(contour))); }
-
-double cost(In a, In b) {
-  return (a.colwise().mean() - b.colwise().mean()).norm() +
-         std::abs(root_of_area(a) - root_of_area(b));
+double cost(const Piece& a, const Piece& b) {
+  return (a.centre - b.centre).norm() + std::abs(a.size - b.size);
 }
 
 /// Where a contour shrinks to: a point inside of it if that is inside a contour of the ground, else
@@ -112,13 +122,51 @@ ContourPair pair(const Piece& source, const Piece& destination, Rotation rotatio
           are_lines};
 }
 
+void check_map(const ContourMap& map, const FrameLayer& source, const FrameLayer& destination) {
+  const auto last = [](const FrameLayer& layer) {
+    return static_cast<long>(layer.contours.size()) - 1;
+  };
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    const auto& [from, to] = map[k];
+    check_between(fmt::format("the contour of layer '{}' in a map", source.id),
+                  static_cast<long>(from), 0, last(source));
+    check_between(fmt::format("the contour of layer '{}' in a map", destination.id),
+                  static_cast<long>(to), 0, last(destination));
+    for (std::size_t i = 0; i < k; ++i) {
+      if (map[i].first != from && map[i].second != to) continue;
+      throw std::invalid_argument(
+          fmt::format("the map {0}:{1}={2}:{3} names a contour that another one has named",
+                      source.id, from, destination.id, to));
+    }
+  }
+}
+
 /// Two layers under way to their pairs.
 struct Pairing {
   const FrameLayer &source, &destination;
   Outline source_ground, destination_ground;  ///< the outer contours
   Rotation rotation;
   std::optional<Index> start;
-  ContourPairs pairs;
+  const ContourMap& map;
+  const HeldPair& held;
+  ContourPairs pairs = {};
+  std::size_t mapped = 0;  ///< of the map, so far
+
+  /// What the map names costs less than all that it might keep apart.
+  void put_map_first(Eigen::MatrixXd& costs, const std::vector<Piece>& from,
+                     const std::vector<Piece>& to) {
+    const double less = -1 - 2 * costs.sum();
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      for (std::size_t j = 0; j < to.size(); ++j) {
+        const auto is_named = [&](const auto& named) {
+          return named.first == from[i].index && named.second == to[j].index;
+        };
+        if (std::none_of(map.begin(), map.end(), is_named)) continue;
+        costs(static_cast<Index>(i), static_cast<Index>(j)) = less;
+        ++mapped;
+      }
+    }
+  }
 
   /// Assigns the contours of a kind to each other.
   void append(Kind kind, bool lines_are_outer) {
@@ -128,9 +176,10 @@ struct Pairing {
     Eigen::MatrixXd costs(from.size(), to.size());
     for (std::size_t i = 0; i < from.size(); ++i) {
       for (std::size_t j = 0; j < to.size(); ++j) {
-        costs(static_cast<Index>(i), static_cast<Index>(j)) = cost(from[i].contour, to[j].contour);
+        costs(static_cast<Index>(i), static_cast<Index>(j)) = cost(from[i], to[j]);
       }
     }
+    put_map_first(costs, from, to);
     const auto partner = optimal_assignment(costs);
     std::vector<bool> is_taken(to.size(), false);
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -140,7 +189,8 @@ struct Pairing {
       }
       const auto j = static_cast<std::size_t>(*partner[i]);
       is_taken[j] = true;
-      pairs.lasting.push_back(pair(from[i], to[j], rotation, start));
+      const auto of_held = held ? held(from[i].index, to[j].index) : std::nullopt;
+      pairs.lasting.push_back(of_held ? *of_held : pair(from[i], to[j], rotation, start));
     }
     for (std::size_t j = 0; j < to.size(); ++j) {
       if (is_taken[j]) continue;
@@ -153,14 +203,22 @@ struct Pairing {
 }  // namespace
 
 ContourPairs pair_contours(const FrameLayer& source, const FrameLayer& destination,
-                           Rotation rotation, std::optional<Index> start) {
+                           Rotation rotation, std::optional<Index> start, const ContourMap& map,
+                           const HeldPair& held) {
+  check_map(map, source, destination);
   // Where both have lines alone, or the ends would look otherwise, lines keep to themselves.
   const bool lines_are_outer = has_only_lines(source) != has_only_lines(destination) &&
                                has_joins_like_caps(source) && has_joins_like_caps(destination);
-  Pairing pairing{source, destination, ground(source), ground(destination), rotation, start, {}};
+  Pairing pairing{source, destination, ground(source), ground(destination), rotation, start,
+                  map,    held};
   pairing.append(Kind::outer, lines_are_outer);
   pairing.append(Kind::hole, lines_are_outer);
   if (!lines_are_outer) pairing.append(Kind::line, false);
+  if (pairing.mapped < map.size()) {
+    throw std::invalid_argument(fmt::format(
+        "the map of contours of layer '{}' names two of different kinds: an outer one, a hole or a line",
+        source.id));
+  }
   return std::move(pairing.pairs);
 }
 
