@@ -1,6 +1,5 @@
 #include "tools/commands/input/animation_output.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -105,7 +104,11 @@ void AnimationOutput::check() const {
 }
 
 int AnimationOutput::steps(double seconds) const {
-  const double steps = std::max(1.0, std::round(seconds * *rate_));
+  const double steps = std::round(seconds * *rate_);
+  if (steps < 1) {
+    throw std::invalid_argument(
+        fmt::format("--fps {} has no second frame in {} seconds", *rate_, seconds));
+  }
   if (steps < most_frames) return static_cast<int>(steps);
   throw std::invalid_argument(fmt::format("--fps {} makes {} frames in {} seconds; at most {}",
                                           *rate_, steps, seconds, most_frames));

@@ -28,8 +28,8 @@ class AnimationOutput {
   std::optional<double> rate() const { return rate_; }
   CLI::Option* sheet() const { return sheet_; }
 
-  /// The number of steps from frame to frame in so many seconds: at the rate asked for, rounded, at least
-  /// one. Throws std::invalid_argument for more than frames_check allows.
+  /// The number of steps from frame to frame in so many seconds: at the rate asked for, rounded. Throws
+  /// std::invalid_argument for none, and for more than frames_check allows.
   int steps(double seconds) const;
 
   /// For a drawing of this box. Without --tolerance, points may be off by a tenth of a pixel.

@@ -73,6 +73,8 @@ TEST_F(AnimationOutput, RefusesWhatAFormatDoesNotHave) {
                  "the size of an .mp4 is '41x40', but must be two even");
   expect_refusal(morph + "o.gif --fps 200", "at most 100 frames a second");
   expect_refusal(morph + "o.gif --fps 1000 --duration 86400", "--fps 1000 makes 86400000 frames");
+  expect_refusal(morph + "o.gif --fps 0.1 --duration 4",
+                 "--fps 0.1 has no second frame in 4 seconds");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 4);
 }
 

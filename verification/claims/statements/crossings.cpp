@@ -72,6 +72,7 @@ motion::Morph morph(const Pair& pair, motion::Detail detail, Rotation rotation) 
   motion::MorphOptions options{.bank = find_filter_bank("bspline4.4"), .samples = samples};
   options.detail = detail;
   options.rotation = rotation;
+  options.shared_corners = Corners::ignored;  // the publication's correspondence knows none
   return motion::make_morph(pair.source, pair.destination, options);
 }
 

@@ -249,8 +249,9 @@ struct LayerMaker {
     const bool closes = is_outline_of_solid(destination, source);
     const auto start = start_of(source.id, options);
     HeldPair held;
-    if (!start)
+    if (!start && (options.shared_corners == Corners::kept || holder.has_anchors())) {
       held = [&](std::size_t i, std::size_t j) { return holder.pair(source, destination, i, j); };
+    }
     ContourPairs pairs = pair_contours(
         opens ? with_holes(source) : source, closes ? with_holes(destination) : destination,
         options.rotation, start, contour_map(options, source.id, destination.id), held);

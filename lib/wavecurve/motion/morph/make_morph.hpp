@@ -10,6 +10,7 @@
 
 #include "wavecurve/curves/correspondence.hpp"
 #include "wavecurve/curves/drawing.hpp"
+#include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/motion/morph/match_layers.hpp"
 #include "wavecurve/motion/morph/morph.hpp"
 
@@ -46,6 +47,8 @@ struct MorphOptions {
   std::vector<MappedContours> contours{};
   /// Vertices that correspond. Without any in a layer, the corners that both drawings share do.
   std::vector<Anchor> anchors{};
+  /// Ignored: shared corners are nothing special, and all samples uniform, as the publication's.
+  Corners shared_corners = Corners::kept;
 };
 
 /// The morph of one drawing into another. The view box is the source's; the destination is scaled

@@ -42,6 +42,8 @@ class HeldVertices {
   std::optional<ContourPair> pair(const FrameLayer& from, const FrameLayer& to, std::size_t i,
                                   std::size_t j);
 
+  bool has_anchors() const { return !anchors_.empty(); }
+
   /// Throws std::invalid_argument unless each anchor was of a pair.
   void check_found() const;
 

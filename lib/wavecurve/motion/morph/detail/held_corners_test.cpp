@@ -116,6 +116,15 @@ TEST(MakeMorph, HoldsTheBaseOfAChart) {
   }
 }
 
+TEST(MakeMorph, HoldsNothingWhereSharedCornersAreIgnored) {
+  MorphOptions uniform = options();
+  uniform.shared_corners = Corners::ignored;
+  const Animation animation = animate(
+      make_morph(drawing_of({chart(20, 60, 40)}), drawing_of({chart(70, 10, 90)}), uniform));
+  const Contour outline = frame_at(animation, 1)[0].contours[0];
+  EXPECT_GT((outline.rowwise() - Eigen::RowVector2d(0, 100)).rowwise().norm().minCoeff(), 0.1);
+}
+
 TEST(MakeMorph, TakesAnchorsAndMapsOfContours) {
   const Contour small = (Contour(4, 2) << 0, 0, 9, 0, 9, 9, 0, 9).finished();
   const Contour far = small.rowwise() + Eigen::RowVector2d(80, 0);
