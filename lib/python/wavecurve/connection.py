@@ -189,9 +189,9 @@ def moments(
     highest : int
         The highest power, 0 .. 100.
     wavelet : bool
-        Of psi, not phi.
+        The moments of psi, not of phi.
     dual : bool
-        Of the analysis side.
+        Those of the analysis side.
     digits : int
         Significant digits, at least 1.
 
@@ -278,7 +278,7 @@ def quantity(
     level : int
         Values of functions at the points k / 2^level, 0 .. 10.
     highest_moment : int
-        Of moments, 0 .. 100.
+        The highest moment of a list of moments, 0 .. 100.
 
     Returns
     -------
