@@ -123,12 +123,25 @@ def identify(numbers: TableLike) -> list[IdentifiedList]:
     ]
 
 
-def list_text(numbers: TableLike) -> str:
+#: More than a file of lists that anyone would read has.
+LARGEST_FILE = 16 << 20
+
+
+def file_bytes(path: Path) -> bytes:
+    """What a file holds; of a device that has no end, no more than the bound."""
+    with path.open("rb") as file:
+        content = file.read(LARGEST_FILE + 1)
+    if len(content) > LARGEST_FILE:
+        raise ValueError(f"{path} has more than {LARGEST_FILE >> 20} MiB")
+    return content
+
+
+def list_text(numbers: TableLike) -> str | bytes:
     """The numbers as a text that the library reads."""
     if isinstance(numbers, str) and "\n" in numbers:
         return numbers
     if is_path(numbers):
-        return Path(numbers).read_text(errors="replace")  # type: ignore[arg-type]
+        return file_bytes(Path(numbers))  # type: ignore[arg-type]
     if is_frame(numbers):
         frame: Any = numbers
         columns = [(str(name), list(frame[name])) for name in frame.columns]
