@@ -88,7 +88,7 @@ py::dict to_python(const CheckedTable& table) {
   return result;
 }
 
-/// Of doubles, those nearest to the true values are right, whatever their digits.
+/// Doubles that are the nearest to the true values are right, whatever their digits.
 py::dict check_text(const std::string& text, const std::string& name, bool are_doubles) {
   return to_python(interruptible([=] {
     CheckedTable table = check_table(parse_published_table(text, name));

@@ -227,7 +227,7 @@ threads : int
 Returns
 -------
 ndarray
-    Of the shape and dtype of x.
+    An array of the shape and dtype of x.
 
 Raises
 ------

@@ -5,7 +5,8 @@ set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME wavecurve)
 set(CPACK_PACKAGE_VENDOR "The wavecurve authors")
 set(CPACK_PACKAGE_CONTACT ${maintainer})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "certified wavelet operators and a check of published wavelet numerics")
+# Each package has a synopsis of its own, the first line of its description.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_PACKAGE_FILE_NAME wavecurve-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
@@ -23,7 +24,7 @@ set(CPACK_DEBIAN_MAIN_PACKAGE_SUGGESTS
     "ffmpeg, libeigen3-dev, libspectra-dev, libboost-dev, libhwy-dev, libfmt-dev, libflint-dev, libflint-arb-dev, libxml2-dev, libpng-dev, zlib1g-dev")
 set(CPACK_DEBIAN_MAIN_PACKAGE_NAME wavecurve)
 set(CPACK_DEBIAN_MAIN_DESCRIPTION
-    "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
+    "certified wavelet operators and a check of published wavelet numerics
 Filters, connection coefficients and stiffness operators of periodized
 wavelet bases, each number with a proof; solvers of the motion of elastic
 curves; wavelet descriptors, morphs and gaits of drawings.

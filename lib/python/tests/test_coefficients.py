@@ -94,6 +94,13 @@ def test_exact_values_are_fractions():
     assert wavecurve.coefficients("coif2", digits=20).mu[0].exact is None
 
 
+def test_long_fractions_are_exact_and_shown():
+    from wavecurve import numbers as made
+
+    long = made.made_number(("0", "0", f"-1/3{'0' * 5000}"))
+    assert long.exact == Fraction(-1, 3 * 10**5000) and str(long).endswith("0" * 5000)
+
+
 def test_more_digits_lie_within_the_enclosure():
     for few, many in zip(wavecurve.coefficients("coif2", digits=8).nu.values(),
                          wavecurve.coefficients("coif2", digits=40).nu.values()):
@@ -112,6 +119,9 @@ def test_missing_smoothness_tells_both_exponents():
 
 @pytest.mark.parametrize("call", [
     lambda: wavecurve.coefficients("db4", digits=0),
+    lambda: wavecurve.coefficients("db4", digits=10**9),
+    lambda: wavecurve.moments("db4", digits=10**9),
+    lambda: wavecurve.FilterBank("db4").decimals(digits=10**9),
     lambda: wavecurve.coefficients("db4", (9, 0)),
     lambda: wavecurve.integrals("db4", "phi nonsense"),
     lambda: wavecurve.integrals("db4", "phi phi(l)", on="1,0"),

@@ -115,6 +115,16 @@ def test_lists_are_identified_as_the_program_does(program, tmp_path, name):
             assert [near[:2] for near in ours.nearest] == [(n["filter"], n["quantity"]) for n in theirs["nearest"]]
 
 
+def test_files_have_bounds_and_encodings(tmp_path):
+    with pytest.raises(ValueError, match="16 MiB"):
+        wavecurve.identify("/dev/zero")
+    with pytest.raises(OSError):
+        wavecurve.identify(tmp_path / "missing.txt")
+    file = tmp_path / "wide.txt"
+    file.write_text(LISTS["columns"], encoding="utf-16")
+    assert wavecurve.identify(file)[0].matches[0].filter == "db2"
+
+
 def test_arrays_and_frames_are_identified_by_column():
     a, b = wavecurve.FilterBank("db4").synthesis_low.taps, wavecurve.FilterBank("sym4").synthesis_low.taps
     for numbers in (numpy.column_stack([a, b]), pandas.DataFrame({"first": a, "second": b})):

@@ -14,16 +14,18 @@ from pathlib import Path as _Path
 from . import _native
 from .connection import (Coefficients, coefficients, integrals, moments, operator_coefficients, quadrature, quantity,
                          reproduction)
-from .curves import (Animation, ContourDescriptor, Curve, Descriptor, Drawing, FrameLayer, LayerDescriptor, Morph,
-                     ShapeDistance, count_crossings, describe, elliptic_fourier_distance, morph, normalized_contour,
-                     read_drawing, sample_contour, shape_distance, to_coefficients, to_samples)
+from .curves import (Curve, ShapeDistance, count_crossings, elliptic_fourier_distance, normalized_contour, sample_contour,
+                     shape_distance, to_coefficients, to_samples)
+from .drawings import ContourDescriptor, Descriptor, Drawing, LayerDescriptor, describe, read_drawing
 from .dynamics import LagrangeSystem, SolutionStopped, Solver, Trajectory, solvers
 from .filters import FilterBank, Taps, filter_aliases, filter_names
+from .morphs import Animation, FrameLayer, Morph, morph
+from .number_lists import IdentifiedList, Match, identify
 from .numbers import Number, NumberTable
 from .operators import (SchulzInverse, damping, extreme_eigenvalues, gram, linear_operator, multiscale_matrix,
                         schulz_inverse, stiffness, synthesis_matrix, vibration_eigenvalues)
 from .solver_study import study, study_points
-from .tables import CheckedColumn, CheckedRow, CheckedTable, IdentifiedList, Match, check, identify
+from .tables import CheckedColumn, CheckedRow, CheckedTable, check
 from .transform import Transform, bands, forward, inverse
 
 __version__ = _native.version

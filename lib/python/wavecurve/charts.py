@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .curves import Descriptor
+from .drawings import Descriptor
 from .filters import FilterLike, bank_of
 from .numbers import NumberTable
 from .operators import SchulzInverse
@@ -139,7 +139,7 @@ def plot_study(study: "pandas.DataFrame", error: str = "displacement_l2_max", ax
     Parameters
     ----------
     study : pandas.DataFrame
-        Of `study`.
+        What `study` returns.
     error : str
         A column of errors.
     axes : matplotlib.axes.Axes, optional

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from . import _native
 from .filters import FilterLike, bank_of
-from .numbers import NumberTable, made_table
+from .numbers import NumberTable, checked_digits, made_table
 
 __all__ = ["Coefficients", "coefficients", "integrals", "moments", "operator_coefficients", "quadrature", "quantity",
            "reproduction"]
@@ -55,7 +55,7 @@ def coefficients(
     derivatives : (int, int)
         Orders p, q of the derivatives, 0 .. 8: (1, 1) stiffness, (0, 0) mass, (0, 1) advection, (2, 2) bending.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
     normalize : bool
         Divide mu and nu by their entry of index 0, as published tables do; for even p + q.
 
@@ -79,7 +79,7 @@ def coefficients(
     """
     bank = bank_of(filter)
     p, q = derivatives
-    found = _native.coefficients(bank, p, q, digits, normalize)
+    found = _native.coefficients(bank, p, q, checked_digits(digits), normalize)
     alpha, mu, nu = (made_table(name, bank.name, enumerate(found[name])) for name in ("alpha", "mu", "nu"))
     return Coefficients(bank.name, (p, q), alpha, mu, nu)
 
@@ -101,7 +101,7 @@ def integrals(
     period : int, optional
         Make the factors periodic and integrate over one period.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def integrals(
     """
     bank = bank_of(filter)
     interval = on if on is None or isinstance(on, str) else f"{on[0]},{on[1]}"
-    name, entries = _native.integrals(bank, integral, interval, period, digits)
+    name, entries = _native.integrals(bank, integral, interval, period, checked_digits(digits))
     return made_table(name, bank.name, ((plain_index(index), number) for index, number in entries))
 
 
@@ -138,7 +138,7 @@ def operator_coefficients(filter: FilterLike, operator: str, up_to: int = 10, di
     up_to : int
         The largest ``|l|``.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
 
     Returns
     -------
@@ -160,12 +160,12 @@ def operator_coefficients(filter: FilterLike, operator: str, up_to: int = 10, di
         if value.denominator == 1 and value >= 0:
             kind, order = "derivative", str(value)
     if kind == "derivative" and order.isdecimal():
-        entries = _native.derivative_operator(bank, min(int(order), 99), digits)
+        entries = _native.derivative_operator(bank, min(int(order), 99), checked_digits(digits))
         return made_table(name, bank.name, ((index[0], n) for index, n in entries if abs(index[0]) <= up_to))
     if operator == "hilbert":
-        return made_table(name, bank.name, enumerate(_native.homogeneous_operator(bank, None, up_to, digits), -up_to))
+        return made_table(name, bank.name, enumerate(_native.homogeneous_operator(bank, None, up_to, checked_digits(digits)), -up_to))
     if kind == "fractional":
-        numbers = _native.homogeneous_operator(bank, order, up_to, digits)
+        numbers = _native.homogeneous_operator(bank, order, up_to, checked_digits(digits))
         return made_table(name, bank.name, enumerate(numbers, -up_to))
     raise ValueError(f"operator is '{operator}', but must be hilbert, fractional:S or derivative:K")
 
@@ -189,11 +189,11 @@ def moments(
     highest : int
         The highest power, 0 .. 100.
     wavelet : bool
-        Of psi, not phi.
+        The moments of psi, not of phi.
     dual : bool
-        Of the analysis side.
+        Those of the analysis side.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
 
     Returns
     -------
@@ -206,7 +206,7 @@ def moments(
         For a bound that is exceeded.
     """
     bank = bank_of(filter)
-    numbers = _native.moments(bank, wavelet, dual, highest, digits)
+    numbers = _native.moments(bank, wavelet, dual, highest, checked_digits(digits))
     name = f"moment({'psi' if wavelet else 'phi'}{'~' if dual else ''})"
     return made_table(name, bank.name, enumerate(numbers))
 
@@ -220,7 +220,7 @@ def reproduction(filter: FilterLike, digits: int = 40) -> NumberTable:
     ----------
     filter : str, os.PathLike or FilterBank
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
 
     Returns
     -------
@@ -228,7 +228,7 @@ def reproduction(filter: FilterLike, digits: int = 40) -> NumberTable:
         By p, below the number of vanishing moments.
     """
     bank = bank_of(filter)
-    return made_table("reproduction(phi)", bank.name, enumerate(_native.reproduction(bank, digits)))
+    return made_table("reproduction(phi)", bank.name, enumerate(_native.reproduction(bank, checked_digits(digits))))
 
 
 def quadrature(
@@ -244,7 +244,7 @@ def quadrature(
     first : int, optional
         The first node; by default the nodes stand about the centre of phi.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
 
     Returns
     -------
@@ -259,7 +259,7 @@ def quadrature(
     bank = bank_of(filter)
     if first is None:
         first = round(float(moments(bank, 1, digits=17)[1]) - (count - 1) / 2)
-    numbers = _native.quadrature_weights(bank, str(first), "1", count, digits)
+    numbers = _native.quadrature_weights(bank, str(first), "1", count, checked_digits(digits))
     return made_table("weight(phi)", bank.name, enumerate(numbers, first))
 
 
@@ -274,11 +274,11 @@ def quantity(
     name : str
         Such as ``"h*sqrt2"``, ``"mu/first"``, ``"int(phi'', phi)"``, ``"phi"``, ``"sobolev(phi)"``, ``"lifting"``.
     digits : int
-        Significant digits, at least 1.
+        Significant digits, 1 .. 10000.
     level : int
         Values of functions at the points k / 2^level, 0 .. 10.
     highest_moment : int
-        Of moments, 0 .. 100.
+        The highest moment of a list of moments, 0 .. 100.
 
     Returns
     -------
@@ -293,5 +293,5 @@ def quantity(
         Where the quantity does not exist for the filter.
     """
     bank = bank_of(filter)
-    text, entries = _native.quantity(bank, name, digits, level, highest_moment)
+    text, entries = _native.quantity(bank, name, checked_digits(digits), level, highest_moment)
     return made_table(text, bank.name, entries)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from .numbers import NumberTable, made_table
+from .numbers import NumberTable, checked_digits, made_table
 
 FilterLike = Union["FilterBank", str, "PathLike[str]"]
 Tap = Union[int, float, str, Decimal, Fraction]
@@ -181,14 +181,14 @@ class FilterBank(_native.NativeFilterBank):
         ----------
         which : {"analysis_low", "analysis_high", "synthesis_low", "synthesis_high"}
         digits : int
-            Significant digits, at least 1.
+            Significant digits, 1 .. 10000.
 
         Returns
         -------
         NumberTable
             By the library's index n.
         """
-        first, numbers = super().decimals(which, digits)
+        first, numbers = super().decimals(which, checked_digits(digits))
         return made_table(which, self.name, enumerate(numbers, first))
 
     def _repr_html_(self) -> str:

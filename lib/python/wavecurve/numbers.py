@@ -48,8 +48,19 @@ class Number:
         return float(self.value)
 
     def __str__(self) -> str:
-        fraction = "" if self.exact is None else f"  = {self.exact}"
+        fraction = "" if self.exact is None else f"  = {fraction_text(self.exact)}"
         return f"{decimal_text(self.value)}  +- {radius_text(self.radius)}{fraction}"
+
+
+#: Beyond any use, and few enough that memory suffices.
+MOST_DIGITS = 10_000
+
+
+def checked_digits(digits: int) -> int:
+    """The number of digits, if it is within the bounds."""
+    if not 1 <= digits <= MOST_DIGITS:
+        raise ValueError(f"digits is {digits}, but must be from 1 to {MOST_DIGITS}")
+    return digits
 
 
 def decimal_text(value: Decimal) -> str:
@@ -67,7 +78,19 @@ def radius_text(radius: Decimal) -> str:
 def made_number(parts: tuple[str, str, str | None]) -> Number:
     """The number of the texts that the compiled part returns."""
     value, radius, exact = parts
-    return Number(Decimal(value), Decimal(radius), None if exact is None else Fraction(exact))
+    return Number(Decimal(value), Decimal(radius), None if exact is None else made_fraction(exact))
+
+
+def made_fraction(text: str) -> Fraction:
+    """The fraction of "p/q" or "p". By way of Decimal, for int() refuses texts of more than 4300 digits."""
+    numerator, _, denominator = text.partition("/")
+    return Fraction(int(Decimal(numerator)), int(Decimal(denominator or 1)))
+
+
+def fraction_text(fraction: Fraction) -> str:
+    """The fraction as a text of any length, for which str() has the same bound."""
+    numerator = str(Decimal(fraction.numerator))
+    return numerator if fraction.denominator == 1 else f"{numerator}/{Decimal(fraction.denominator)}"
 
 
 def made_index(index: int | str | tuple[int, ...]) -> Index:
@@ -145,7 +168,7 @@ class NumberTable(Mapping[Index, Number]):
         rows = "".join(
             f"<tr><th>{escape(str(index))}</th><td><code>{decimal_text(number.value)}</code></td>"
             f"<td>&plusmn; {radius_text(number.radius)}</td>"
-            f"<td>{'' if number.exact is None else number.exact}</td></tr>"
+            f"<td>{'' if number.exact is None else fraction_text(number.exact)}</td></tr>"
             for index, number in self.items()
         )
         return (

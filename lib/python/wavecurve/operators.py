@@ -159,7 +159,7 @@ class SchulzInverse:
         ``||I - X_n C||_F``, n = 0, 1, ...; the last is that of `inverse`.
     status : {"converged", "stagnated", "singular"}
     error_bound : float
-        Of ``||X - C^-1||_F``; infinite where the last residual is 1 or more.
+        A bound of ``||X - C^-1||_F``; infinite where the last residual is 1 or more.
     dropped : list of float
         Frobenius norm of what each step dropped, of sparse matrices.
     """
@@ -183,9 +183,9 @@ def schulz_inverse(c: Any, tolerance: float = 1e-10, threshold: float = 0.0) -> 
     c : array_like or scipy sparse matrix
         Square.
     tolerance : float
-        Of the residual.
+        The residual at which the iteration ends.
     threshold : float
-        Of sparse matrices: after each step entries below this times the largest are dropped.
+        Entries of a sparse matrix below this times the largest are dropped after each step.
 
     Returns
     -------

@@ -68,7 +68,7 @@ def study(
     shapes : sequence of str
         ellipse, star, dent, or paths of drawings; the rest shape is the unit circle.
     dampings : sequence of (s1, s2)
-        Of ``C = s1 M + s2 K``.
+        The factors in ``C = s1 M + s2 K``.
     solvers : sequence of str, optional
         All that take a mass by default.
 

@@ -109,7 +109,7 @@ def forward(
     Returns
     -------
     numpy.ndarray
-        Of the shape and dtype of x, in global-to-local order along the axis.
+        An array of the shape and dtype of x, in global-to-local order along the axis.
 
     Raises
     ------
@@ -135,7 +135,7 @@ def inverse(
     Returns
     -------
     numpy.ndarray
-        Of the shape and dtype of `coefficients`.
+        An array of the shape and dtype of `coefficients`.
 
     Raises
     ------
