@@ -75,10 +75,9 @@ py::list frame(const Animation& animation, double time) {
   return layers;
 }
 
-io::OutputOptions output_options(int frames, double tolerance, bool loop, int pixels) {
+io::OutputOptions output_options(int frames, bool loop, int pixels) {
   io::OutputOptions options;
   options.frames = frames;
-  options.tolerance = tolerance;
   options.loop = loop;
   options.pixels = pixels;
   return options;
@@ -86,9 +85,10 @@ io::OutputOptions output_options(int frames, double tolerance, bool loop, int pi
 
 /// A file; None is what the worker returns.
 template <class Moving>
-void write(const Moving& moving, const std::filesystem::path& path, int frames, double tolerance,
-           bool loop, int pixels) {
-  const io::OutputOptions options = output_options(frames, tolerance, loop, pixels);
+void write(const Moving& moving, const std::filesystem::path& path, int frames,
+           std::optional<double> tolerance, bool loop, int pixels) {
+  io::OutputOptions options = output_options(frames, loop, pixels);
+  options.tolerance = tolerance.value_or(io::usual_tolerance(path, moving.view_box, options));
   interruptible([=] { io::write_animation(path, moving, options); });
 }
 

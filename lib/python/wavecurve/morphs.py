@@ -49,15 +49,16 @@ class Animation:
         """
         return [FrameLayer(*layer) for layer in self._native.frame(time)]
 
-    def write(self, path: PathText, *, frames: int = 60, tolerance: float = 0.0, loop: bool = False, pixels: int = 512) -> None:
+    def write(self, path: PathText, *, frames: int = 60, tolerance: float | None = None, loop: bool = False, pixels: int = 512) -> None:
         """Write a file; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder).
 
         Parameters
         ----------
         path : path
         frames : int
-        tolerance : float
-            Maximum distance of the fitted cubics from the contour, in drawing units; 0 writes polygons.
+        tolerance : float, optional
+            Maximum distance of the fitted cubics from the contour, in drawing units; a tenth of a pixel without it, 0
+            writes polygons.
         loop : bool
             Play for ever.
         pixels : int
@@ -119,7 +120,7 @@ class Morph:
         """
         return Animation(self._native.move(frames, solver, until, density, stiffness, bending, mass_damping, stiffness_damping))
 
-    def write(self, path: PathText, *, frames: int = 60, tolerance: float = 0.0, loop: bool = False, pixels: int = 512) -> None:
+    def write(self, path: PathText, *, frames: int = 60, tolerance: float | None = None, loop: bool = False, pixels: int = 512) -> None:
         """Write the linear morph, as `Animation.write`; an .html lets the viewer choose the scale."""
         self._native.write(Path(path), frames, tolerance, loop, pixels)
 

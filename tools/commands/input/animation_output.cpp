@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/bad_value.hpp"
-#include "wavecurve/io/animations/detail/raster.hpp"
+#include "wavecurve/io/animations/write_animation.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_colour.hpp"
 
 #include "tools/commands/input/number_option.hpp"
@@ -32,10 +32,6 @@ CLI::Validator background_check() {
                              " is not an opaque colour of CSS, or none";
           },
           "COLOR|none", "background"};
-}
-
-bool holds_curves(const std::string& ending) {
-  return ending == ".svg" || ending == ".json" || ending == ".html";
 }
 
 }  // namespace
@@ -83,7 +79,7 @@ void AnimationOutput::check() const {
   if (is_sheet_ && !path_.ends_with(".svg")) {
     throw std::invalid_argument(must_be("the file of a sheet", path_, "an .svg"));
   }
-  if (tolerance_.value_or(0) > 0 && !holds_curves(ending())) {
+  if (tolerance_.value_or(0) > 0 && !io::holds_curves(path_)) {
     throw std::invalid_argument(fmt::format(
         "--tolerance is for .svg, .json and .html, which hold curves, not for {}", ending()));
   }
@@ -122,8 +118,7 @@ io::OutputOptions AnimationOutput::options(const ViewBox& box) const {
   }
   options.transparent = background_ == "none";
   options.background = opaque_colour(background_);
-  options.tolerance =
-      tolerance_.value_or(holds_curves(ending()) ? 0.1 / io::resolution(box, options) : 0);
+  options.tolerance = tolerance_.value_or(io::usual_tolerance(path_, box, options));
   return options;
 }
 

@@ -5,6 +5,7 @@
 
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/animations/detail/html_player.hpp"
+#include "wavecurve/io/animations/detail/raster.hpp"
 #include "wavecurve/io/animations/detail/write_frames.hpp"
 #include "wavecurve/io/animations/detail/write_video.hpp"
 #include "wavecurve/io/animations/lottie.hpp"
@@ -49,6 +50,16 @@ void write_animation(const std::filesystem::path& path, const motion::Morph& mor
   OutputOptions both_ways = options;  // at the same rate
   both_ways.frames = 2 * options.frames - 1;
   write_animation(path, motion::there_and_back(motion::animate(morph)), both_ways);
+}
+
+bool holds_curves(const std::filesystem::path& path) {
+  const std::filesystem::path ending = path.extension();
+  return ending == ".svg" || ending == ".json" || ending == ".html";
+}
+
+double usual_tolerance(const std::filesystem::path& path, const ViewBox& box,
+                       const OutputOptions& options) {
+  return holds_curves(path) ? 0.1 / resolution(box, options) : 0;
 }
 
 }  // namespace wavecurve::io

@@ -19,4 +19,12 @@ void write_animation(const std::filesystem::path& path, const motion::Animation&
 void write_animation(const std::filesystem::path& path, const motion::Morph& morph,
                      const OutputOptions& options = {});
 
+/// True of .svg, .json and .html, which hold curves, for which there is a tolerance.
+bool holds_curves(const std::filesystem::path& path);
+
+/// The tolerance that does not show: a tenth of a pixel of a drawing of this box at the output's size, where the file holds
+/// curves; else 0.
+double usual_tolerance(const std::filesystem::path& path, const ViewBox& box,
+                       const OutputOptions& options);
+
 }  // namespace wavecurve::io

@@ -283,5 +283,17 @@ TEST(HtmlPlayer, LoadsNothingAndIsNotBrokenByText) {
   }
 }
 
+TEST(UsualTolerance, IsATenthOfAPixelWhereAFileHoldsCurves) {
+  const ViewBox box{0, 0, 20, 10};
+  OutputOptions options;
+  options.size = {400, 300};  // 20 pixels a unit
+  EXPECT_DOUBLE_EQ(usual_tolerance("a.svg", box, options), 0.005);
+  EXPECT_DOUBLE_EQ(usual_tolerance("folder/a.json", box, options), 0.005);
+  EXPECT_EQ(usual_tolerance("a.gif", box, options), 0);
+  options.size.reset();
+  options.pixels = 200;
+  EXPECT_DOUBLE_EQ(usual_tolerance("a.html", box, options), 0.01);
+}
+
 }  // namespace
 }  // namespace wavecurve::io
