@@ -58,11 +58,11 @@ template <class Scalar>
 ProductMask<Scalar> product_mask(const std::vector<Filter<Scalar>>& masks, int m) {
   const std::size_t dimensions = masks.size() - 1;
   const Filter<Scalar>& a = masks.front();
-  ShiftSpace::Tuple lowest{}, sizes{};
+  std::vector<int> lowest, sizes;
   std::size_t count = 1;
   for (std::size_t i = 0; i < dimensions; ++i) {
-    lowest[i] = masks[i + 1].first_index - a.last_index();
-    sizes[i] = masks[i + 1].last_index() - a.first_index - lowest[i] + 1;
+    lowest.push_back(masks[i + 1].first_index - a.last_index());
+    sizes.push_back(masks[i + 1].last_index() - a.first_index - lowest[i] + 1);
     count *= static_cast<std::size_t>(sizes[i]);
   }
   std::vector<Scalar> sums(count, Scalar(0));
