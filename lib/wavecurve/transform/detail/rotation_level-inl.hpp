@@ -225,7 +225,9 @@ class Level {
   template <class Wrapped, class Straight>
   HWY_INLINE void cover(Index first, Index count, Index c_shift, Index d_shift, Wrapped wrapped,
                         Straight straight) {
-    for (int k = 1; k < rotations_.size; ++k) rotations_.held[k] = hn::Zero(d_);
+    if constexpr (K != 1) {  // else GCC 14 warns of the loop that is never entered
+      for (int k = 1; k < rotations_.size; ++k) rotations_.held[k] = hn::Zero(d_);
+    }
     const Index before = delay(rotations_.size);
     first -= before;
     Place at{modulo(2 * first + parity_, fine_period_), modulo(first + c_shift, c_period_),
