@@ -8,7 +8,7 @@
 
 namespace wavecurve::io {
 
-/// Of a picture, in pixels.
+/// The size of a picture in pixels.
 struct RasterSize {
   int width = 0, height = 0;
 };
