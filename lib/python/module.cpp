@@ -1,8 +1,9 @@
 // wavecurve._native: the library as Python's package wavecurve calls it. Here arguments and results are
 // converted; what is computed, and every message, is the library's.
+#include <charconv>
+#include <optional>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl/filesystem.h>
-#include <regex>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -21,15 +22,24 @@ void set_os_error(const std::system_error& error) {
   PyErr_SetObject(PyExc_OSError, args.ptr());
 }
 
+/// The number behind the last place of some words, if there is one: before them may stand a filter's name, which holds anything.
+std::optional<double> number_behind(const std::string& message, const std::string& words) {
+  const std::size_t place = message.rfind(words);
+  if (place == std::string::npos) return std::nullopt;
+  double number = 0;
+  const char* const start = message.data() + place + words.size();
+  const auto [end, error] = std::from_chars(start, message.data() + message.size(), number);
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
 /// Where a filter is not smooth enough, the exponents are attributes as well: found and needed.
 void set_arithmetic_error(const std::string& message) {
-  static const std::regex exponents(
-      "Sobolev exponent is ([-0-9.]+), but it must exceed ([-0-9.]+)");
   const py::object error = py::handle(PyExc_ArithmeticError)(message);
-  std::smatch numbers;
-  if (std::regex_search(message, numbers, exponents)) {
-    error.attr("found") = py::float_(py::str(numbers[1].str()));
-    error.attr("needed") = py::float_(py::str(numbers[2].str()));
+  const auto found = number_behind(message, "Sobolev exponent is ");
+  const auto needed = number_behind(message, "but it must exceed ");
+  if (found && needed) {
+    error.attr("found") = *found;
+    error.attr("needed") = *needed;
   }
   PyErr_SetObject(PyExc_ArithmeticError, error.ptr());
 }

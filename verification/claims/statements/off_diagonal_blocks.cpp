@@ -111,9 +111,9 @@ Outcome evaluate() {
     slowest = std::min(slowest, order);
     largest = std::max(largest, by_grid.back()[b]);
   }
-  // The derivative of φ of D8 is Hölder continuous of order 0.617 (Daubechies and Lagarias 1992), and sums over a grid then
-  // converge at least at that order.
-  const bool holds = slowest > 0.617;
+  // Derivatives lie in H^σ for σ below the Sobolev exponent of φ less 1, and so does a product of two, since σ > 1/2. Its sum over
+  // n points errs by its Fourier coefficients at the multiples of n, together O(n^-σ) by Schwarz's inequality.
+  const bool holds = slowest > bank.sobolev_exponent - 1;
   Outcome outcome;
   outcome.verdict = holds ? ClaimVerdict::holds : ClaimVerdict::does_not_hold;
   outcome.finding = {
