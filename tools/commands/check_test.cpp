@@ -2,7 +2,6 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <unistd.h>
 
@@ -117,31 +116,46 @@ TEST_F(CheckCommand, ExplainsWithCaretsWhereAPrintDeparts) {
   expect_refusal("check t.csv --explain --format json", "text with --explain");
 }
 
-/// What a command writes to a terminal.
-std::string shown_by_a_terminal(const std::function<void(const std::string&)>& run_with_output) {
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-  EXPECT_EQ(::grantpt(terminal), 0);
-  EXPECT_EQ(::unlockpt(terminal), 0);
-  const char* name = ::ptsname(terminal);
-  // As long as one holds it open, what was written stays to be read.
-  const int held = ::open(name, O_RDWR | O_NOCTTY);
-  run_with_output(name);
-  constexpr std::size_t most = 1 << 16;
-  std::string text(most, '\0');
-  const auto count = ::read(terminal, text.data(), text.size());
-  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-  ::close(held);
-  ::close(terminal);
-  return text;
-}
+/// A terminal that a test reads. It has no name where the system gives none: in a chroot without /dev/pts.
+class PseudoTerminal {
+ public:
+  PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) return;
+    if (const char* name = ::ptsname(master_)) name_ = name;
+    // As long as one holds it open, what was written stays to be read.
+    if (!name_.empty()) held_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY);
+  }
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+  ~PseudoTerminal() {
+    if (held_ >= 0) ::close(held_);
+    if (master_ >= 0) ::close(master_);
+  }
+
+  bool is_open() const { return held_ >= 0; }
+  const std::string& name() const { return name_; }
+
+  std::string read() const {
+    constexpr std::size_t most = 1 << 16;
+    std::string text(most, '\0');
+    const auto count = ::read(master_, text.data(), text.size());
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+  }
+
+ private:
+  int master_, held_ = -1;
+  std::string name_;
+};
 
 TEST_F(CheckCommand, ColoursDepartingDigitsOnATerminalOnly) {
+  if (!PseudoTerminal().is_open()) GTEST_SKIP() << "no pseudo-terminal: is /dev/pts mounted?";
   io::write_file(folder_ / "t.csv", wrong_table);
   const auto shown = [&](const std::string& environment) {
-    return shown_by_a_terminal([&](const std::string& terminal) {
-      run("cd '" + folder_.string() + "' && " + environment +
-          " '" WAVECURVE_PROGRAM "' check t.csv >" + terminal + " 2>&1 || echo");
-    });
+    const PseudoTerminal terminal;
+    run("cd '" + folder_.string() + "' && " + environment +
+        " '" WAVECURVE_PROGRAM "' check t.csv >" + terminal.name() + " 2>&1 || echo");
+    return terminal.read();
   };
   const std::string coloured = shown("env -u NO_COLOR TERM=xterm");
   EXPECT_NE(coloured.find("0.63\x1b[1;31m1\x1b[0m88077"), std::string::npos) << coloured;
