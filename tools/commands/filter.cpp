@@ -170,11 +170,13 @@ std::string filter_as_text(const FilterDefinition& definition,
                            const std::vector<NamedFilter>& filters) {
   std::string text = "filter " + printable(definition.name) + "\n";
   const ordered_json facts = diagnostics(definition);
+  const bool has_inaccurate_taps = definition.known_bits || definition.dual_known_bits;
   for (const auto& [key, value] : facts.items()) {
     std::string label = key;
     for (char& c : label) c = c == '_' ? ' ' : c;
     std::string shown = value.dump();
     std::erase(shown, '"');
+    if (has_inaccurate_taps && label.ends_with("moments")) shown += ", to the accuracy of the taps";
     text += fmt::format("  {:<24}{}\n", label, value.is_null() ? "not known, or none" : shown);
   }
   const bool orthonormal = facts.at("orthonormal");

@@ -152,6 +152,11 @@ TEST_F(FilterCommand, TablesOfDoubleArithmeticAreReadWithTheirAccuracy) {
   const json document = json::parse(wavecurve("filter own.json --format json").out);
   EXPECT_EQ(document["diagnostics"]["vanishing_moments"], 2);
   EXPECT_EQ(document["synthesis_low"]["taps"][1], "0.83651630374");
+  // Whether the taps that are meant have just as many moments, inaccurate ones cannot say.
+  const std::string moments = "vanishing moments       2";
+  EXPECT_NE(wavecurve("filter own.json").out.find(moments + ", to the accuracy of the taps\n"),
+            std::string::npos);
+  EXPECT_NE(wavecurve("filter db2").out.find(moments + "\n"), std::string::npos);
 }
 
 // Each took from ten seconds to for ever.

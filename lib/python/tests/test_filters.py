@@ -70,6 +70,8 @@ def test_own_taps_are_a_bank():
     assert spline.filter_bank == wavecurve.FilterBank("bior2.2").filter_bank
     with pytest.raises(ValueError, match="taps"):
         wavecurve.FilterBank.from_taps([1, 2, 3])
+    with pytest.raises(ValueError, match="characters of the filter's name is 5000"):
+        wavecurve.FilterBank.from_taps([1, 1], sum="2", name="n" * 5000)
 
 
 def test_unknown_names_are_refused_with_what_is_known():

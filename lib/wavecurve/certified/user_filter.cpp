@@ -67,6 +67,10 @@ struct PrintedBank {
 };
 
 PrintedBank read(const UserFilter& user) {
+  // It stands in every message.
+  constexpr long longest_name = 200;
+  check_between("the number of characters of the filter's name",
+                static_cast<long>(user.name.size()), 0, longest_name);
   PrintedBank bank{user.name,
                    PrintedSide(user.name, user.taps, user.sum, user.accuracy),
                    {},

@@ -15,10 +15,11 @@ namespace wavecurve::certified {
 /// that satisfies the relations: the radius says what the digits are worth.
 ///
 /// Relations: the sums, biorthonormality at every lag, and the claimed zeros at pi; where none are
-/// claimed as many as the box admits, at most half as many as there are taps. Throws
+/// claimed as many as the box admits, at most half as many as there are taps (of long filters that
+/// may be more than are meant: the doubles of coif14, which has 28, admit 30). Throws
 /// std::invalid_argument if one is violated by every filter in the box, naming it, by how much, and
 /// the accuracy that would be accepted: one at which the box holds a filter that satisfies all of
-/// them to first order. Throws also for an empty filter, more than 256 taps, indices beyond 10000,
+/// them to first order. Throws also for an empty filter, a name of more than 200 characters, more than 256 taps, indices beyond 10000,
 /// a tap that is no number or has more than 1000 digits, an unknown sum, a negative claim, an
 /// accuracy that is not above 0 and below 1.
 FilterDefinition define_user_filter(const UserFilter& filter);

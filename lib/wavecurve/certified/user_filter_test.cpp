@@ -150,6 +150,12 @@ std::string refusal(const UserFilter& user) {
   return "";
 }
 
+TEST(UserFilter, ItsNameHasABound) {
+  EXPECT_EQ(refusal({std::string(200, 'n'), {0, {"1", "1"}}, {}, "2"}), "");
+  EXPECT_EQ(refusal({std::string(201, 'n'), {0, {"1", "1"}}, {}, "2"}),
+            "the number of characters of the filter's name is 201, but must be from 0 to 200");
+}
+
 TEST(UserFilter, ZerosAreExactAndThoseAtTheEndsAreNoTaps) {
   UserFilter padded = printed("db3", 20);
   const UserFilter plain = padded;

@@ -63,8 +63,6 @@ struct BothSides {
   }
 };
 
-constexpr long longest_name = 200;
-
 const Keys keys_of_both_forms{"name", "sum", "accuracy", "vanishing_moments",
                               "dual_vanishing_moments"};
 const Keys keys_of_a_side{"taps", "first_index", "sum", "accuracy"};
@@ -107,8 +105,6 @@ UserFilter user_filter_of(const JsonPlace& document, const std::string& default_
   const BothSides sum(document, "sum"), accuracy(document, "accuracy");
   UserFilter user;
   user.name = name_of(document, default_name);
-  check_between("the number of characters of the name", static_cast<long>(user.name.size()), 0,
-                longest_name);
   user.taps = taps_of(primal);
   user.sum = sum.primal.value_or(user.sum);
   user.accuracy = accuracy.primal;
