@@ -24,6 +24,7 @@ libsvgpp-dev          header:svgpp/svgpp.hpp
 libxml2-dev           header:libxml2/libxml/tree.h
 libpng-dev            header:png.h
 zlib1g-dev            header:zlib.h
+libpolyclipping-dev   header:polyclipping/clipper.hpp
 libfmt-dev            header:fmt/format.h
 nlohmann-json3-dev    header:nlohmann/json.hpp
 libcli11-dev          header:CLI/CLI.hpp

@@ -42,7 +42,8 @@ set(WAVECURVE_FUZZ_FLAGS
     -std=c++20 -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
     -I${CMAKE_CURRENT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR} ${folders}
     CACHE INTERNAL "how they are compiled")
-set(WAVECURVE_FUZZ_LIBRARIES -lhwy ${ARB_LIBRARY} ${FLINT_LIBRARY} ${MPFR_LIBRARY} ${GMP_LIBRARY} -lxml2 -lpng -lz -lfmt
+set(WAVECURVE_FUZZ_LIBRARIES -lhwy ${ARB_LIBRARY} ${FLINT_LIBRARY} ${MPFR_LIBRARY} ${GMP_LIBRARY} -lxml2 -lpng -lz
+    -lpolyclipping -lfmt
     CACHE INTERNAL "what they are linked with")
 add_custom_target(fuzzers ALL)
 
@@ -111,6 +112,7 @@ set(room ${CMAKE_CURRENT_SOURCE_DIR}/wavecurve)
 file(GLOB readers CONFIGURE_DEPENDS ${room}/io/drawings/detail/svg/*.cpp)
 list(FILTER readers EXCLUDE REGEX "_test\\.cpp$|svg_values\\.cpp$")
 wavecurve_fuzz_sources(readers ${readers} ${room}/io/drawings/detail/read_points.cpp
+                       ${room}/io/drawings/detail/stroke_polygons.cpp
                        ${room}/io/drawings/detail/point_columns.cpp ${room}/io/files/detail/table_rows.cpp
                        ${room}/io/tracks/detail/track_table.cpp ${room}/io/tracks/detail/wide_table.cpp
                        ${room}/io/tracks/detail/joint_name.cpp ${room}/io/files/detail/csv.cpp

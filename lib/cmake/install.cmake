@@ -17,4 +17,5 @@ configure_package_config_file(cmake/wavecurve-config.cmake.in wavecurve-config.c
 write_basic_package_version_file(wavecurve-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/wavecurve-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/wavecurve-config-version.cmake cmake/FindFlint.cmake
+              cmake/FindPolyclipping.cmake
         DESTINATION ${package_dir})

@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # The charts of the report; and what videos, and programs that use the library, need beside it.
 set(CPACK_DEBIAN_MAIN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_MAIN_PACKAGE_SUGGESTS
-    "ffmpeg, libeigen3-dev, libspectra-dev, libboost-dev, libhwy-dev, libfmt-dev, libflint-dev, libflint-arb-dev, libxml2-dev, libpng-dev, zlib1g-dev")
+    "ffmpeg, libeigen3-dev, libspectra-dev, libboost-dev, libhwy-dev, libfmt-dev, libflint-dev, libflint-arb-dev, libxml2-dev, libpng-dev, zlib1g-dev, libpolyclipping-dev")
 set(CPACK_DEBIAN_MAIN_PACKAGE_NAME wavecurve)
 set(CPACK_DEBIAN_MAIN_DESCRIPTION
     "certified wavelet operators and a check of published wavelet numerics

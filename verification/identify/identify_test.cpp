@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ NumberList list_of(const std::vector<double>& values, int decimals) {
   return list;
 }
 
-const KnownColumn& known(const std::string& filter, const std::string& quantity) {
+const KnownColumn& known(std::string_view filter, std::string_view quantity) {
   const auto& all = known_columns();
   return *std::find_if(all.begin(), all.end(), [&](const KnownColumn& column) {
     return column.filter == filter && to_string(column.quantity) == quantity;

@@ -217,7 +217,8 @@ std::string shape_layer(const motion::Animation& animation, const PaintingSlot& 
   const motion::AnimatedLayer& layer = animation.layers[slot.layer];
   std::string groups;
   for (const StyleRun& run : style_runs(layer, target)) {
-    groups += (groups.empty() ? "" : ",") + group(layer, run, target);
+    if (!groups.empty()) groups += ',';
+    groups += group(layer, run, target);
   }
   return fmt::format(
       "{{\"ty\":4,\"nm\":{},\"ind\":{},\"ip\":0,\"op\":{},\"st\":0,\"ks\":{{\"o\":{},{}}},\n"

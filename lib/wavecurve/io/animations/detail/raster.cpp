@@ -7,6 +7,7 @@
 
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/io/animations/detail/coverage.hpp"
+#include "wavecurve/io/drawings/detail/stroke_polygons.hpp"
 
 namespace wavecurve::io {
 

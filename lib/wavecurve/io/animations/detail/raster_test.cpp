@@ -8,6 +8,7 @@
 
 #include "wavecurve/io/animations/animation_test.hpp"
 #include "wavecurve/io/animations/detail/coverage.hpp"
+#include "wavecurve/io/drawings/detail/stroke_polygons.hpp"
 
 namespace wavecurve::io {
 namespace {

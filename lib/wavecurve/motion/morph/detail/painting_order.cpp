@@ -8,6 +8,7 @@
 
 #include "wavecurve/curves/crossings.hpp"
 #include "wavecurve/motion/morph/detail/nesting.hpp"
+#include "wavecurve/motion/morph/detail/share_area.hpp"
 
 namespace wavecurve::motion {
 
@@ -34,11 +35,11 @@ bool look_alike(const Paint& a, const Paint& b) {
          b.fill_opacity == 1;
 }
 
-/// Whether layers really overlap: outlines cross, or one holds a point of the other. Strokes reach
-/// beyond their outlines, so their boxes decide.
+/// Whether layers really overlap: their areas do, or, which small pieces need, outlines cross or one holds a point of
+/// the other. Strokes reach beyond their outlines, so their boxes decide.
 bool overlap(const FrameLayer& a, const FrameLayer& b) {
   if (look_alike(a.paint, b.paint)) return false;
-  if (a.paint.stroke || b.paint.stroke) return true;
+  if (a.paint.stroke || b.paint.stroke || share_area(a, b)) return true;
   for (const Contour& p : a.contours) {
     for (const Contour& q : b.contours) {
       if (winding_number(p, q.row(0)) != 0 || winding_number(q, p.row(0)) != 0 ||

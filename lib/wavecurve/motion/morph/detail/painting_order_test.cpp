@@ -61,6 +61,18 @@ TEST(PaintingOrder, TheEndsMayContradictEachOther) {
   EXPECT_EQ(final_painting_order(crossed, alike, alike), (std::vector<std::size_t>{0, 1}));
 }
 
+// Corners of each lie on the outline of the other, and no edges cross.
+TEST(PaintingOrder, AStripeAsWideAsItsGroundLiesOnIt) {
+  Contour stripe(4, 2);
+  stripe << 0, 1, 4, 1, 4, 2, 0, 2;
+  const FrameLayer ground = square(0, 4), upper = coloured({"", {stripe}, {}}, {1, 0, 0});
+  const std::vector<FrameLayer> ground_below{ground, upper}, ground_above{upper, ground};
+  const std::vector<LayerMatch> matches{{0, 1}, {1, 0}};
+  EXPECT_EQ(sources(painting_order(matches, ground_below, ground_above)), (Places{0, 1}));
+  EXPECT_EQ(final_painting_order(matches, ground_below, ground_above),
+            (std::vector<std::size_t>{1, 0}));
+}
+
 TEST(PaintingOrder, WhatLiesOnAnExchangedLayerGoesWithIt) {
   // In the source 0 < 1, on which 2 vanishes; in the destination 1 < 0.
   const std::vector<FrameLayer> source{square(0), coloured(square(0), {1, 0, 0}), square(0.2)};

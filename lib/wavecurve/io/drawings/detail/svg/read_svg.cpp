@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -22,7 +24,6 @@ namespace wavecurve::io {
 namespace {
 
 constexpr std::size_t most_layers = 100'000, most_segments = 4'000'000;
-constexpr std::size_t most_clip_steps = 20'000'000;
 constexpr int most_elements_drawn = 1'000'000;
 
 /// What holds where an element is drawn.
@@ -76,10 +77,7 @@ class SvgReader {
     if (const auto text = trimmed(element.attribute("viewBox")); !text.empty()) {
       if (tolerate(element, "it is left out", [&] { box = parse_view_box(text); })) return box;
     }
-    const auto width = parse_length(element.attribute("width"), 0);
-    const auto height = parse_length(element.attribute("height"), 0);
-    if (!width || !height || !(*width > 0) || !(*height > 0)) return {};
-    return {0, 0, *width, *height};
+    return box_of_lengths(element.attribute("width"), element.attribute("height"));
   }
 
   /// What viewers take for the size of a window that nobody says (CSS 2, 10.3.2).
@@ -134,23 +132,32 @@ class SvgReader {
     --depth_;
   }
 
-  /// The layers from `first` on by the property clip-path, which is only seen to change nothing.
+  /// The layers from `first` on, by the property clip-path.
   void clip(const Scene& scene, std::size_t first) {
     const auto property = scene.style.own.find("clip-path");
     if (property == scene.style.own.end() || property->second == "none") return;
     const StyleSource source{sheet_, elements_, warnings_};
-    const std::string id = referred_id(property->second);
-    const auto shapes = clip_shapes(id, scene.transform, scene.viewport, source);
-    const auto& layers = file_.drawing.layers;
-    for (std::size_t i = first; i < layers.size(); ++i) {
-      clip_steps_ += layers[i].subpaths.size();
-      for (const Subpath& subpath : layers[i].subpaths) clip_steps_ += subpath.segments.size();
-      const bool whole = clip_steps_ < most_clip_steps &&
-                         std::any_of(shapes.begin(), shapes.end(), [&](const auto& shape) {
-                           return is_within(layers[i], shape);
-                         });
-      if (!whole) return warnings_.add("what leaves the clip path '{}' is not clipped", shown(id));
+    try {
+      const Clipping::Place place{scene.transform, scene.viewport,
+                                  std::span(file_.drawing.layers).subspan(first)};
+      cut(first, clipping_.region(property->second, place, source));
+    } catch (const std::invalid_argument& error) {
+      warnings_.add("the clip-path '{}' clips nothing: {}", shown(property->second), error.what());
     }
+  }
+
+  /// Leaves of the layers from `first` on what lies within a region.
+  void cut(std::size_t first, const Region& region) {
+    auto& layers = file_.drawing.layers;
+    std::vector<Layer> remaining;
+    for (std::size_t i = first; i < layers.size(); ++i) {
+      auto parts = clipping_.clipped(layers[i], region);
+      if (parts.empty()) nothing_drawn_ = shown(layers[i].id) + " lies outside of its clip path";
+      if (parts.size() == 2) parts[1].id = names_.unique({layers[i].id + "-stroke", false});
+      std::ranges::move(parts, std::back_inserter(remaining));
+    }
+    layers.resize(first);
+    std::ranges::move(remaining, std::back_inserter(layers));
   }
 
   void draw_kind(const XmlElement& element, const Scene& scene) {
@@ -171,9 +178,9 @@ class SvgReader {
 
   void warn_of_element(const XmlElement& element) {
     std::string said = fmt::format("the element {} is not supported", shown(element.name));
-    if (element.name == "text")
-      nothing_drawn_ = said = "text is not supported: convert it to paths";
-    if (element.name == "image") nothing_drawn_ = said = "images are not supported";
+    if (element.name == "text") said = "text is not supported: convert it to paths";
+    if (element.name == "image") said = "images are not supported";
+    if (element.name == "text" || element.name == "image") nothing_drawn_ = said;
     warnings_.add("{}", said);
   }
 
@@ -275,22 +282,17 @@ class SvgReader {
     scene.viewport = {box.width, box.height};
     const std::size_t first = file_.drawing.layers.size();
     draw_children(element, scene);
-    warn_of_clipping(first, outside, shown_at);
+    clip_to(shown_at, outside, element, first);
   }
 
-  /// Warns of the layers from `first` on, where they leave the box that a viewport shows.
-  void warn_of_clipping(std::size_t first, const Eigen::Affine2d& transform, const ViewBox& box) {
-    const Eigen::Vector2d corner(box.x, box.y), size(box.width, box.height);
-    const Eigen::Vector2d margin = 1e-9 * size;
-    const Eigen::AlignedBox2d shown_box(corner - margin, corner + size + margin);
-    const Eigen::Affine2d back = transform.inverse();
-    for (std::size_t i = first; i < file_.drawing.layers.size(); ++i) {
-      for (const Subpath& subpath : file_.drawing.layers[i].subpaths) {
-        for (const BezierSegment& segment : subpath.segments) {
-          if (shown_box.contains(back * Eigen::Vector2d(segment.control.col(0)))) continue;
-          return warnings_.add("what leaves a nested svg or symbol is not clipped");
-        }
-      }
+  /// The layers from `first` on, to what a viewport shows.
+  void clip_to(const ViewBox& box, const Eigen::Affine2d& transform, const XmlElement& element,
+               std::size_t first) {
+    if (sheet_.cascade(element)["overflow"] == "visible") return;
+    try {
+      cut(first, region_of(box, transform));
+    } catch (const std::invalid_argument& error) {
+      warnings_.add("what leaves a nested svg or symbol is not clipped: {}", error.what());
     }
   }
 
@@ -329,11 +331,8 @@ class SvgReader {
   }
 
   void warn_of_uneven_stroke(const Paint& paint, const Eigen::Affine2d& transform) {
-    const Eigen::Matrix2d square = transform.linear().transpose() * transform.linear();
-    const double mean = square.trace() / 2;
-    if (paint.stroke && (square - mean * Eigen::Matrix2d::Identity()).norm() > 1e-6 * mean) {
-      warnings_.add("a stroke is scaled unevenly; its mean width is used");
-    }
+    if (!paint.stroke || scales_evenly(transform)) return;
+    warnings_.add("a stroke is scaled unevenly; its mean width is used");
   }
 
   void count_segments(const XmlElement& shape, const Layer& layer) {
@@ -383,8 +382,9 @@ class SvgReader {
   DrawingFile file_;
   std::string nothing_drawn_;  ///< why the last shape that is not painted is not
   LayerNames names_{elements_};
+  Clipping clipping_;
   std::vector<const XmlElement*> used_;
-  std::size_t segments_ = 0, clip_steps_ = 0;
+  std::size_t segments_ = 0;
   int elements_drawn_ = 0, depth_ = 0;
 };
 

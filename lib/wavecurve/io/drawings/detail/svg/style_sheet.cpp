@@ -48,32 +48,16 @@ std::string take_name(std::string_view& text) {
 }
 
 /// Presentation attributes are those whose names are properties that the reader uses.
-constexpr std::string_view presentation_attributes[] = {"clip-path",
-                                                        "clip-rule",
-                                                        "color",
-                                                        "display",
-                                                        "fill",
-                                                        "fill-opacity",
-                                                        "fill-rule",
-                                                        "filter",
-                                                        "marker-end",
-                                                        "marker-mid",
-                                                        "marker-start",
-                                                        "mask",
-                                                        "opacity",
-                                                        "paint-order",
-                                                        "stop-color",
-                                                        "stop-opacity",
-                                                        "stroke",
-                                                        "stroke-dasharray",
-                                                        "stroke-linecap",
-                                                        "stroke-linejoin",
-                                                        "stroke-miterlimit",
-                                                        "stroke-opacity",
-                                                        "stroke-width",
-                                                        "transform-origin",
-                                                        "vector-effect",
-                                                        "visibility"};
+constexpr std::string_view presentation_attributes[] = {
+    "clip-path",         "clip-rule",      "color",
+    "display",           "fill",           "fill-opacity",
+    "fill-rule",         "filter",         "marker-end",
+    "marker-mid",        "marker-start",   "mask",
+    "opacity",           "overflow",       "paint-order",
+    "stop-color",        "stop-opacity",   "stroke",
+    "stroke-dasharray",  "stroke-linecap", "stroke-linejoin",
+    "stroke-miterlimit", "stroke-opacity", "stroke-width",
+    "transform-origin",  "vector-effect",  "visibility"};
 
 /// Parts of one compound: classes, attributes, and what they are in :not().
 constexpr std::size_t most_parts = 16;

@@ -1,23 +1,54 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "wavecurve/curves/drawing.hpp"
+#include "wavecurve/io/drawings/detail/svg/region.hpp"
 #include "wavecurve/io/drawings/detail/svg/svg_style.hpp"
 
 namespace wavecurve::io {
 
-/// The first few shapes of the clip path with that id, which together are what is shown: none where there is no such
-/// element, or it says its units in another way than the element does whose transformation is given.
-std::vector<std::vector<Subpath>> clip_shapes(std::string_view id, const Eigen::Affine2d& transform,
-                                              const Viewport& viewport, const StyleSource& source);
+/// Clips the layers of one file to clip paths and viewports. All that it throws is std::invalid_argument with the
+/// reason why something cannot be clipped.
+class Clipping {
+ public:
+  /// Where an element stands that is clipped: its coordinates, and what it draws.
+  struct Place {
+    Eigen::Affine2d transform;
+    Viewport viewport;
+    std::span<const Layer> layers;
+  };
 
-/// Whether a layer with its stroke is seen to lie within a clip shape, so that clipping changes nothing. Only
-/// convex shapes of a few corners are looked at: within the polygon of the ends of their segments all
-/// control points of the layer must lie, but for a rounding error.
-bool is_within(const Layer& layer, const std::vector<Subpath>& clip);
+  /// What a value of the property clip-path lets through: the union of the shapes of the element <clipPath> that it
+  /// refers to, within what the clip paths of that element and of its shapes let through.
+  Region region(std::string_view value, const Place& place, const StyleSource& source);
+
+  /// What remains of a layer within a region: the layer as it is where that changes nothing to be seen, else its fill
+  /// and its stroke as polygons to be filled, if there is something of them. No longer one layer where it had both.
+  std::vector<Layer> clipped(const Layer& layer, const Region& region);
+
+ private:
+  Region region_of_element(const XmlElement& clip, const Place& place, const StyleSource& source);
+  Region region_of_shape(const XmlElement& shape, const Properties& outer, const Place& place,
+                         const StyleSource& source);
+  Region within_its_own(Region region, const Properties& properties, const Place& place,
+                        const StyleSource& source);
+  bool is_within(const Layer& layer, const Region& region);
+  std::vector<Contour> polygons(const std::vector<Subpath>& subpaths, double size);
+  Eigen::AlignedBox2d box_of_layers(const Place& place);
+  void take_steps(std::size_t count);
+  void take_steps(const std::vector<Contour>& polygons, const Region& region);
+
+  std::vector<const XmlElement*> used_;  ///< those in which the one that is read is used
+  std::size_t steps_ = 0;
+};
+
+/// A box in coordinates that a transformation maps to those of the drawing.
+Region region_of(const ViewBox& box, const Eigen::Affine2d& transform);
 
 }  // namespace wavecurve::io

@@ -77,6 +77,12 @@ ViewBox parse_view_box(std::string_view text) {
   return box;
 }
 
+ViewBox box_of_lengths(std::string_view width, std::string_view height) {
+  const auto wide = parse_length(width, 0), high = parse_length(height, 0);
+  if (!wide || !high || !(*wide > 0) || !(*high > 0)) return {};
+  return {0, 0, *wide, *high};
+}
+
 Eigen::Affine2d view_box_transform(const ViewBox& box, const ViewBox& shown,
                                    std::string_view preserve_aspect_ratio) {
   const auto words = split(preserve_aspect_ratio, " \t\r\n");

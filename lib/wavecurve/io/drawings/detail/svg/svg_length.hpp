@@ -25,6 +25,9 @@ std::optional<double> parse_length(std::string_view text, double hundred_percent
 /// are not, or if a size is not positive.
 ViewBox parse_view_box(std::string_view text);
 
+/// That of a drawing of this width and height: of no size unless both are lengths above 0.
+ViewBox box_of_lengths(std::string_view width, std::string_view height);
+
 /// Maps a view box to where it is shown, as the attribute preserveAspectRatio demands.
 Eigen::Affine2d view_box_transform(const ViewBox& box, const ViewBox& shown,
                                    std::string_view preserve_aspect_ratio);

@@ -207,8 +207,9 @@ class StyleReader {
 
   void read_own(Style& style) const {
     style.own.clear();
-    for (std::string_view property : {"clip-path", "cx", "cy", "d", "height", "r", "rx", "ry",
-                                      "transform", "transform-origin", "width", "x", "y"}) {
+    for (std::string_view property :
+         {"clip-path", "clip-rule", "cx", "cy", "d", "height", "r", "rx", "ry", "transform",
+          "transform-origin", "width", "x", "y"}) {
       if (const auto value = given(property); !value.empty()) style.own.emplace(property, value);
     }
   }

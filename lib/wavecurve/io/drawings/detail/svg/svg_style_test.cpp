@@ -221,7 +221,7 @@ TEST(Style, WhatIsNotSupportedIsNamedOnce) {
           "the property mask is not supported", "the property filter is not supported",
           "the fill 'blurple' is not supported", "the opacity 'x' is not supported",
           "the property stroke-dasharray is not supported", "the element animate is not supported",
-          "what leaves the clip path 'c' is not clipped"}));
+          "the clip-path 'url(#c)' clips nothing: no clipPath has the id 'c'"}));
 }
 
 TEST(Style, SelectorsOfEveryKind) {

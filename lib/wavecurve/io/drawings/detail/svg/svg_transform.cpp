@@ -174,4 +174,10 @@ Vector2d parse_transform_origin(std::string_view text, const Viewport& viewport)
   return {at(words[0], viewport.width), at(words[1], viewport.height)};
 }
 
+bool scales_evenly(const Eigen::Affine2d& transform) {
+  const Eigen::Matrix2d square = transform.linear().transpose() * transform.linear();
+  const double mean = square.trace() / 2;
+  return (square - mean * Eigen::Matrix2d::Identity()).norm() <= 1e-6 * mean;
+}
+
 }  // namespace wavecurve::io

@@ -18,6 +18,9 @@ Eigen::Affine2d parse_css_transform(std::string_view text, const Viewport& viewp
 Eigen::Affine2d transform_of(const XmlElement& element, const Properties& properties,
                              const Viewport& viewport);
 
+/// Whether all lengths are scaled alike, but for a rounding error.
+bool scales_evenly(const Eigen::Affine2d& transform);
+
 /// The point that stays, by `transform-origin`: one or two lengths, percentages of the view box, or
 /// words such as left and center. Throws std::invalid_argument likewise.
 Eigen::Vector2d parse_transform_origin(std::string_view text, const Viewport& viewport);
