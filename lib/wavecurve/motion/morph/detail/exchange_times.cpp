@@ -1,12 +1,12 @@
 #include "wavecurve/motion/morph/detail/exchange_times.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
-#include <utility>
+#include <optional>
 
 #include "wavecurve/motion/detail/oklab.hpp"
+#include "wavecurve/motion/morph/detail/covered_intervals.hpp"
 
 namespace wavecurve::motion {
 
@@ -30,91 +30,31 @@ std::vector<Block> blocks_of(const std::vector<std::size_t>& order) {
   return blocks;
 }
 
-using Interval = std::pair<double, double>;
-
-/// What a layer covers along each of some horizontal lines, and its colour.
-class Picture {
- public:
-  Picture(const FrameLayer& layer, const ViewBox& box) : lines_(count) {
-    const Paint& paint = layer.paint;
-    const std::optional<Colour>& colour = paint.fill ? paint.fill : paint.stroke;
-    if (colour) colour_ = to_oklab(*colour);
-    const double margin = paint.stroke ? paint.stroke_width / 2 : 0;
-    std::vector<std::vector<double>> meetings(count);
-    for (const Contour& contour : layer.contours) add(contour, box, meetings);
-    for (std::size_t line = 0; line < count; ++line) {
-      std::vector<double>& x = meetings[line];
-      std::sort(x.begin(), x.end());
-      // Inside of a fill by the even-odd rule; a stroke has its width about each meeting.
-      const std::size_t step = paint.fill ? 2 : 1;
-      for (std::size_t i = 0; i + step <= x.size(); i += step) {
-        add_interval(lines_[line], {x[i] - margin, x[i + step - 1] + margin});
-      }
-    }
+/// What a layer covers of a picture, and its colour.
+struct Covering {
+  Covering(const FrameLayer& layer, const ViewBox& box)
+      : intervals(covered_intervals(layer, box, 64)) {
+    const std::optional<Colour>& paint = layer.paint.fill ? layer.paint.fill : layer.paint.stroke;
+    if (paint) colour = to_oklab(*paint);
   }
 
-  /// The length that both cover, times the distance of their colours.
-  double shared(const Picture& other) const {
-    double length = 0;
-    for (std::size_t line = 0; line < count; ++line) {
-      auto a = lines_[line].begin();
-      auto b = other.lines_[line].begin();
-      while (a != lines_[line].end() && b != other.lines_[line].end()) {
-        length += std::max(0.0, std::min(a->second, b->second) - std::max(a->first, b->first));
-        if (a->second < b->second) {
-          ++a;
-        } else {
-          ++b;
-        }
-      }
-    }
-    return length * (colour_ - other.colour_).norm();
-  }
-
- private:
-  static constexpr std::size_t count = 64;
-
-  static void add_interval(std::vector<Interval>& intervals, const Interval& interval) {
-    if (intervals.empty() || intervals.back().second < interval.first) {
-      intervals.push_back(interval);
-    } else {
-      intervals.back().second = std::max(intervals.back().second, interval.second);
-    }
-  }
-
-  /// Where the lines, at the middles of equal shares of the box, meet a contour.
-  static void add(const Contour& contour, const ViewBox& box,
-                  std::vector<std::vector<double>>& meetings) {
-    const double height = box.height / count;
-    const auto line_after = [&](double y) {
-      const double line = std::ceil((y - box.y) / height - 0.5);
-      return static_cast<std::size_t>(std::clamp(line, 0.0, static_cast<double>(count)));
-    };
-    for (Eigen::Index i = 0; i < contour.rows(); ++i) {
-      Eigen::RowVector2d a = contour.row(i), b = contour.row((i + 1) % contour.rows());
-      if (a.y() > b.y()) std::swap(a, b);
-      for (std::size_t line = line_after(a.y()); line < line_after(b.y()); ++line) {
-        const double y = box.y + (static_cast<double>(line) + 0.5) * height;
-        meetings[line].push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-      }
-    }
-  }
-
-  std::vector<std::vector<Interval>> lines_;
-  Eigen::Vector3d colour_ = Eigen::Vector3d::Zero();
+  CoveredIntervals intervals;
+  Eigen::Vector3d colour = Eigen::Vector3d::Zero();
 };
 
 /// What is seen of the exchange of a block at a time.
 double visible_change(const Animation& animation, const std::vector<std::size_t>& order,
                       const Block& block, double time) {
-  std::vector<Picture> pictures;
+  std::vector<Covering> layers;
   for (std::size_t i = block.first; i <= block.last; ++i) {
-    pictures.emplace_back(layer_at(animation.layers[order[i]], time), animation.view_box);
+    layers.emplace_back(layer_at(animation.layers[order[i]], time), animation.view_box);
   }
   double sum = 0;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    for (std::size_t j = i + 1; j < pictures.size(); ++j) {
-      if (order[block.first + i] > order[block.first + j]) sum += pictures[i].shared(pictures[j]);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (std::size_t j = i + 1; j < layers.size(); ++j) {
+      if (order[block.first + i] < order[block.first + j]) continue;
+      sum += shared_length(layers[i].intervals, layers[j].intervals) *
+             (layers[i].colour - layers[j].colour).norm();
     }
   }
   return sum;

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "wavecurve/curves/crossings.hpp"
+#include "wavecurve/motion/morph/detail/covered_intervals.hpp"
 #include "wavecurve/motion/morph/detail/nesting.hpp"
-#include "wavecurve/motion/morph/detail/share_area.hpp"
 
 namespace wavecurve::motion {
 

@@ -1,4 +1,4 @@
-#include "wavecurve/motion/morph/detail/share_area.hpp"
+#include "wavecurve/motion/morph/detail/covered_intervals.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,11 @@ Contour rectangle(double x, double y, double width, double height) {
   return points;
 }
 
-FrameLayer layer(const std::vector<Contour>& contours) { return {"", contours, {}}; }
+FrameLayer layer(const std::vector<Contour>& contours) {
+  FrameLayer result{"", contours, {}};
+  result.paint.fill = Colour{};
+  return result;
+}
 
 // Corners on a coarse grid, so that edges often lie on each other.
 RC_GTEST_PROP(ShareArea, RectanglesDoAsTheirSidesSay, ()) {
@@ -42,6 +46,23 @@ TEST(ShareArea, AHoleIsNoArea) {
 TEST(ShareArea, WhatHasNoAreaSharesNone) {
   EXPECT_FALSE(share_area(layer({}), layer({rectangle(0, 0, 1, 1)})));
   EXPECT_FALSE(share_area(layer({rectangle(0, 0, 1, 0)}), layer({rectangle(0, 0, 1, 1)})));
+}
+
+// The middles of lines against the definition of what is inside.
+TEST(CoveredIntervals, AreFillsByTheirRuleAndStrokesByTheirWidth) {
+  FrameLayer twice = layer({rectangle(0, 0, 9, 9), rectangle(2, 2, 5, 5)});
+  twice.paint.fill = Colour{};
+  const ViewBox box{0, 0, 9, 9};
+  using Line = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(covered_intervals(twice, box, 9).at(4), (Line{{0, 9}}));
+  twice.paint.fill_rule = FillRule::evenodd;
+  EXPECT_EQ(covered_intervals(twice, box, 9).at(4), (Line{{0, 2}, {7, 9}}));
+  EXPECT_EQ(covered_intervals(twice, box, 9).at(1), (Line{{0, 9}}));
+  twice.paint.fill.reset();
+  twice.paint.stroke = Colour{};
+  EXPECT_EQ(covered_intervals(twice, box, 9).at(4),
+            (Line{{-0.5, 0.5}, {1.5, 2.5}, {6.5, 7.5}, {8.5, 9.5}}));
+  EXPECT_EQ(shared_length({{{0, 2}, {5, 9}}}, {{{1, 6}, {8, 10}}}), 1 + 1 + 1);
 }
 
 }  // namespace
