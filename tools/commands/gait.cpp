@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "wavecurve/io/animations/animation_sheet.hpp"
 #include "wavecurve/io/animations/write_animation.hpp"
@@ -137,9 +138,7 @@ void write_walk(const SynthesisOptions& options, const gait::GaitAnimation& walk
     output.frames = frames;
     return io::write_file(path, io::animation_sheet(open_loop(walk.animation, frames), output));
   }
-  const std::string ending = options.output.ending();
-  const bool is_film =
-      ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".png";
+  const bool is_film = !io::holds_curves(path);
   output.frames = is_film ? frames : frames + 1;
   io::write_animation(path, is_film ? open_loop(walk.animation, frames) : walk.animation, output);
 }
@@ -166,6 +165,13 @@ void synthesize(const SynthesisOptions& options) {
       walk.stride, how.cycle_duration, 100 * walk.slide, 100 * walk.lift, 100 * walk.slide_before);
 }
 
+/// "walk, trot, pace, gallop".
+std::string known_gaits() {
+  std::vector<std::string> names;
+  for (const gait::CanineGait& gait : gait::canine_gaits()) names.push_back(gait.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void add_synthesize(CLI::App* gait) {
   auto options = std::make_shared<SynthesisOptions>();
   CLI::App* command =
@@ -177,8 +183,8 @@ void add_synthesize(CLI::App* gait) {
                    "An .svg with the layers LF, RF, LH, RH, and others")
       ->required();
   options->output.add_to(command, "60 over all cycles by default");
-  CLI::Option* gait_name = command->add_option(
-      "--gait", options->gait, "walk, trot, pace or gallop; by default as recorded");
+  CLI::Option* gait_name =
+      command->add_option("--gait", options->gait, known_gaits() + "; by default as recorded");
   command->add_option("--cycles", options->animation.cycles, "Cycles")
       ->check(whole_number_from(1, 1000))
       ->capture_default_str();

@@ -62,6 +62,13 @@ COMMANDS = {
 }
 
 
+def untried_commands(program):
+    """Those that help lists and no line above calls. bench runs programs, so its requests are of any number."""
+    listed = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
+    names = re.findall(r"^  ([a-z]+) ", listed.partition("Subcommands:")[2], re.MULTILINE)
+    return sorted(set(names) - {line.split()[0] for line in COMMANDS.values()} - {"bench"})
+
+
 def prepare(folder, program):
     with gzip.open(folder / "walk.csv.gz", "wb") as packed:
         packed.write((EXAMPLES / "dog-walk.csv").read_bytes())
@@ -138,7 +145,8 @@ def main():
     parser.add_argument("--processes", type=int, default=os.cpu_count())
     options = parser.parse_args()
     options.program, options.library = map(os.path.abspath, (options.program, options.library))
-    chance, report, bad = random.Random(options.seed), {}, []
+    chance, report = random.Random(options.seed), {}
+    bad = [f"{name}: not among the commands that are tried" for name in untried_commands(options.program)]
     with tempfile.TemporaryDirectory() as place:
         ground = pathlib.Path(place) / "ground"
         ground.mkdir()

@@ -53,14 +53,17 @@ const std::vector<std::pair<std::string_view, Quantity>>& short_names() {
       {"mu/mu0", by_first(product_of_slopes(false))},
       {"nu/nu0", by_first(product_of_slopes(true))},
       {"r", of_family("int", {{{false, false, 0}, 1}, {{false, false, 1}, 0}})},
-      {"alpha", of_family("alpha", {})},
-      {"lifting", of_family("lifting", {})},
   };
   return names;
 }
 
 constexpr std::array<std::pair<std::string_view, int>, 4> factor_suffixes{
     {{"*sqrt2", 1}, {"/sqrt2", -1}, {"*2", 2}, {"/2", -2}}};
+
+/// Whether its name and one function in brackets say it, as its example has it: "moment(psi)".
+bool has_brackets(const QuantityFamily& family) {
+  return family.most_factors == 1 && family.example.starts_with(fmt::format("{}(", family.name));
+}
 
 /// Recursive descent over the grammar of quantity.hpp.
 class Parser {
@@ -80,8 +83,13 @@ class Parser {
  private:
   Quantity parse_family() {
     if (reader_.take_word("int")) return parse_integral();
-    for (const std::string_view name : {"moment", "sobolev", "holder"}) {
-      if (reader_.take_word(name)) return parse_bracketed(name);
+    for (const QuantityFamily& family : quantity_families()) {
+      if (family.most_factors == 0 && reader_.take_word(family.name)) {
+        return of_family(family.name, {});
+      }
+      if (has_brackets(family) && reader_.take_word(family.name)) {
+        return parse_bracketed(family.name);
+      }
     }
     if (reader_.rest().starts_with("dual(p"))
       return of_family("value", {{reader_.take_function(), 0}});
@@ -174,6 +182,7 @@ std::string bare_text(const Quantity& quantity) {
     if (known == quantity) return std::string(name);
   }
   const std::string_view family = quantity.family->name;
+  if (quantity.factors.empty()) return std::string(family);
   if (family == "int") return integral_text(quantity.factors);
   const std::string function = certified::name_of(quantity.factors.front().function);
   return family == "value" ? function : fmt::format("{}({})", family, function);

@@ -28,9 +28,9 @@ struct Factor {
 ///              r                          int(phi(l), phi'): Beylkin 1992
 ///              int(F, F), int(F, F, F)    integrals of products over the line
 ///              phi, psi'', dual(phi)      values at integers and dyadic points x
-///              moment(phi)                int x^p phi(x) dx; index p
-///              sobolev(phi), holder(phi)  exponents; index 0
 ///              lifting                    lifting steps and, last, the factor; index k
+///              moment(phi)                int x^p phi(x) dx; index p. So are sobolev(phi) and
+///                                         every other family of one function written
 ///   F          phi or psi, ~ for the dual, primes or ^(p) for derivatives, then the shift:
 ///              phi'(l) is phi'(x - l). Letters are the indices in order of appearance; without
 ///              letters the first factor stands at x, the others are shifted by l and m.

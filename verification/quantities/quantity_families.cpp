@@ -1,9 +1,9 @@
 #include "verification/quantities/quantity_families.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -193,7 +193,7 @@ Sequence lifting_sequence(const FilterDefinition& definition, const Factors&, co
   return stored({0, std::move(steps)}, 0, last);
 }
 
-constexpr std::array<QuantityFamily, 8> families{{
+constexpr QuantityFamily families[] = {
     {"h", "taps of phi's filter, sum sqrt 2; index n. dual(h), g, dual(g): phi~, psi, psi~",
      "h*sqrt2", 1, 1, tap_sequence},
     {"alpha", "autocorrelation 2 sum h_i h_{i+n} of the taps; index n", "alpha", 0, 0,
@@ -208,18 +208,16 @@ constexpr std::array<QuantityFamily, 8> families{{
      hoelder_sequence},
     {"lifting", "lifting steps in the order of a transform, then the factor; index k", "lifting", 0,
      0, lifting_sequence},
-}};
+};
 
 }  // namespace
 
 std::span<const QuantityFamily> quantity_families() { return families; }
 
 const QuantityFamily& quantity_family(std::string_view name) {
-  const auto known = std::find_if(families.begin(), families.end(),
-                                  [&](const QuantityFamily& f) { return f.name == name; });
-  if (known != families.end()) return *known;
-  throw std::invalid_argument(
-      unknown_name("quantity", name, families, [](const QuantityFamily& f) { return f.name; }));
+  const auto* const known = std::ranges::find(families, name, &QuantityFamily::name);
+  if (known != std::end(families)) return *known;
+  throw std::invalid_argument(unknown_name("quantity", name, families, &QuantityFamily::name));
 }
 
 }  // namespace wavecurve::verification

@@ -86,7 +86,9 @@ TEST(Quantity, AMessageMarksTheColumn) {
 
 TEST(Quantity, EveryFamilyHasAnExampleThatIsUnderstood) {
   for (const QuantityFamily& family : quantity_families()) {
-    EXPECT_EQ(parse_quantity(family.example).family->name, family.name);
+    const Quantity quantity = parse_quantity(family.example);
+    EXPECT_EQ(quantity.family->name, family.name);
+    EXPECT_EQ(parse_quantity(to_string(quantity)), quantity) << family.name;
     EXPECT_NE(quantities_help().find(family.example), std::string::npos);
   }
 }

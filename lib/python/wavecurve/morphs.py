@@ -50,7 +50,7 @@ class Animation:
         return [FrameLayer(*layer) for layer in self._native.frame(time)]
 
     def write(self, path: PathText, *, frames: int = 60, tolerance: float | None = None, loop: bool = False, pixels: int = 512) -> None:
-        """Write a file; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm .png (folder).
+        """Write a file; its extension selects the format, as with ``wavecurve morph``: .svg, .json (Lottie), .html, .gif and others.
 
         Parameters
         ----------

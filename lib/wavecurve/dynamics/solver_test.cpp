@@ -1,5 +1,6 @@
 #include "wavecurve/dynamics/solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -37,6 +38,15 @@ const std::vector<Trial> trials = {
     {"implicit", {1.0 / 64, 1.0 / 256, 1.0 / 1024}, 2},
     {"implicit-ldlt", {1.0 / 64, 1.0 / 256, 1.0 / 1024}, 2},
 };
+
+TEST(Solvers, ThoseOfTheCoupledSystemAreAllTried) {
+  for (const NamedSolver& solver : solvers()) {
+    if (solver.is_massless || solver.accuracy == AccuracyKind::closed_form) continue;
+    EXPECT_TRUE(
+        std::ranges::any_of(trials, [&](const Trial& trial) { return trial.name == solver.name; }))
+        << solver.name << " is in no trial";
+  }
+}
 
 /// The number as whichever the solver takes.
 Accuracy either(double number) { return {.tolerance = number, .step = number}; }

@@ -38,10 +38,8 @@ CLI::Validator background_check() {
 
 void AnimationOutput::add_to(CLI::App* command, const std::string& default_frames) {
   command
-      ->add_option(
-          "-o,--output", path_,
-          "Output; its extension selects the format: .svg .json (Lottie) .html .gif .mp4 .webm "
-          ".png (folder)")
+      ->add_option("-o,--output", path_,
+                   "Output; its extension selects the format: " + io::animation_endings())
       ->required();
   CLI::Option* frames =
       command->add_option("--frames", frames_, "Number of frames; " + default_frames);
@@ -81,7 +79,7 @@ void AnimationOutput::check() const {
   }
   if (tolerance_.value_or(0) > 0 && !io::holds_curves(path_)) {
     throw std::invalid_argument(fmt::format(
-        "--tolerance is for .svg, .json and .html, which hold curves, not for {}", ending()));
+        "--tolerance is for formats that hold curves, such as .svg, not for {}", ending()));
   }
   if (background_ == "none" && ending() == ".mp4") {
     throw std::invalid_argument(

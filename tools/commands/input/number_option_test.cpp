@@ -66,7 +66,7 @@ TEST_F(NumberOption, AnOptionThatAnotherMakesMeaninglessIsRefused) {
   expect_refusal("morph a.csv b.csv -o o.json --paths --frames 9", "excludes");
   expect_refusal("morph a.csv b.csv -o o.json --paths --loop", "excludes");
   expect_refusal("morph a.csv b.csv -o o.gif --tolerance 1",
-                 "--tolerance is for .svg, .json and .html, which hold curves, not for .gif");
+                 "--tolerance is for formats that hold curves, such as .svg, not for .gif");
   expect_refusal("gait synthesize p.json d.svg -o o.svg --subcycles --gait trot", "excludes");
   expect_refusal("coefficients db4 --quantity h --derivatives 1,1", "excludes");
   expect_refusal("coefficients db4 --integral 'phi phi' --normalize first", "excludes");

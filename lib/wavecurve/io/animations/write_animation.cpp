@@ -1,7 +1,11 @@
 #include "wavecurve/io/animations/write_animation.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "wavecurve/io/animations/animated_svg.hpp"
 #include "wavecurve/io/animations/detail/html_player.hpp"
@@ -22,23 +26,56 @@ OutputOptions titled(const std::filesystem::path& path, const OutputOptions& opt
   return result;
 }
 
+void write_svg(const std::filesystem::path& path, const motion::Animation& animation,
+               const OutputOptions& options) {
+  write_file(path, animated_svg(animation, options));
+}
+
+void write_lottie(const std::filesystem::path& path, const motion::Animation& animation,
+                  const OutputOptions& options) {
+  write_file(path, lottie(animation, options));
+}
+
+void write_page(const std::filesystem::path& path, const motion::Animation& animation,
+                const OutputOptions& options) {
+  write_file(path, html_player(animation, titled(path, options)));
+}
+
+constexpr AnimationFormat formats[] = {
+    {".svg", "", true, write_svg},           {".json", "Lottie", true, write_lottie},
+    {".html", "", true, write_page},         {".gif", "", false, write_video},
+    {".mp4", "", false, write_video},        {".webm", "", false, write_video},
+    {".png", "folder", false, write_frames},
+};
+
+/// None for an ending that is not known. A folder may be named with a slash at its end.
+const AnimationFormat* format_of(const std::filesystem::path& path) {
+  const std::string ending = (path.has_filename() ? path : path.parent_path()).extension().string();
+  const auto* const found = std::ranges::find(formats, ending, &AnimationFormat::ending);
+  return found == std::end(formats) ? nullptr : found;
+}
+
 }  // namespace
+
+std::span<const AnimationFormat> animation_formats() { return formats; }
+
+std::string animation_endings() {
+  std::string text;
+  for (const AnimationFormat& format : formats) {
+    if (!text.empty()) text += ' ';
+    text += format.ending;
+    if (!format.remark.empty()) text += fmt::format(" ({})", format.remark);
+  }
+  return text;
+}
 
 void write_animation(const std::filesystem::path& path, const motion::Animation& animation,
                      const OutputOptions& options) {
-  // A folder may be named with a slash at its end.
-  const std::string ending = (path.has_filename() ? path : path.parent_path()).extension().string();
-  if (ending == ".svg") return write_file(path, animated_svg(animation, options));
-  if (ending == ".json") return write_file(path, lottie(animation, options));
-  if (ending == ".html") {
-    return write_file(path, html_player(animation, titled(path, options)));
+  if (const AnimationFormat* format = format_of(path)) {
+    return format->write(path, animation, options);
   }
-  if (ending == ".gif" || ending == ".mp4" || ending == ".webm") {
-    return write_video(path, animation, options);
-  }
-  if (ending == ".png") return write_frames(path, animation, options);
-  throw std::invalid_argument("cannot tell the format of " + path.string() +
-                              ": its ending is none of .svg .json .html .gif .mp4 .webm .png");
+  throw std::invalid_argument(fmt::format("cannot tell the format of {}: its ending is none of {}",
+                                          path.string(), animation_endings()));
 }
 
 void write_animation(const std::filesystem::path& path, const motion::Morph& morph,
@@ -53,8 +90,8 @@ void write_animation(const std::filesystem::path& path, const motion::Morph& mor
 }
 
 bool holds_curves(const std::filesystem::path& path) {
-  const std::filesystem::path ending = path.extension();
-  return ending == ".svg" || ending == ".json" || ending == ".html";
+  const AnimationFormat* format = format_of(path);
+  return format != nullptr && format->holds_curves;
 }
 
 double usual_tolerance(const std::filesystem::path& path, const ViewBox& box,

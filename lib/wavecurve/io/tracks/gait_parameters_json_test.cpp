@@ -114,10 +114,10 @@ TEST_F(GaitParametersFile, RefusesWhatItIsNot) {
   bad["limbs"][0]["phases"][0]["y"].push_back(1);
   EXPECT_EQ(refusal(bad), "limb LF: limbs[0].phases[0].y is a list of 9, but must be a list of 8");
   bad = good;
-  bad["limbs"][1]["phases"][1]["model"] = "septic";
-  EXPECT_EQ(refusal(bad),
-            "limb RF: unknown model 'septic'; known: linear, quadratic, quadratic-by-limb, "
-            "quadratic-by-level, cubic, quartic, quintic, sextic, oscillator, fourier");
+  bad["limbs"][1]["phases"][1]["model"] = "straight";
+  EXPECT_TRUE(
+      refusal(bad).starts_with("limb RF: unknown model 'straight'; known: linear, quadratic, "))
+      << refusal(bad);
   bad = good;
   bad["limbs"][1]["phases"][1]["parameters"] = nlohmann::json::array();
   EXPECT_NE(refusal(bad).find("has 0 rows of parameters"), std::string::npos) << refusal(bad);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -104,7 +106,13 @@ TEST_P(EveryGait, TheCycleCloses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Gaits, EveryGait, testing::Values("walk", "trot", "pace", "gallop"),
+std::vector<std::string> gait_names() {
+  std::vector<std::string> names;
+  for (const CanineGait& gait : canine_gaits()) names.push_back(gait.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Gaits, EveryGait, testing::ValuesIn(gait_names()),
                          [](const auto& gait) { return gait.param; });
 
 TEST(CanineJoints, RightLimbsWalkAsLeftOnesHalfACycleLater) {
