@@ -179,6 +179,12 @@ FrameLayer with_holes(FrameLayer layer) {
   return layer;
 }
 
+/// Whether a contour turns as holes do: a line there and back, which encloses nothing but rounding errors, does not.
+bool turns_as_hole(const Contour& contour) {
+  const auto sizes = contour.colwise().maxCoeff() - contour.colwise().minCoeff();
+  return signed_area(contour) < -1e-9 * sizes.squaredNorm();
+}
+
 Paint stroke_of(Paint paint) {
   paint.fill.reset();
   return paint;
@@ -286,7 +292,7 @@ struct LayerMaker {
                                       std::vector<ContourPair>& of_outline,
                                       std::vector<ContourPair>& of_solid, int direction) {
     const auto is_hole = [&](const ContourPair& pair) {
-      return signed_area(direction > 0 ? pair.source : pair.destination) < 0;
+      return turns_as_hole(direction > 0 ? pair.source : pair.destination);
     };
     std::erase_if(of_outline, is_hole);
     std::copy_if(lasting.begin(), lasting.end(), std::back_inserter(of_solid), is_hole);

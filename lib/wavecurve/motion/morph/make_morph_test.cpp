@@ -159,6 +159,33 @@ TEST(MakeMorph, OpenLinesStayOpen) {
   EXPECT_LT((points.row(32) - Eigen::RowVector2d(9, 1)).norm(), rounding);
 }
 
+// A line there and back encloses an area of rounding errors, of either sign.
+TEST(MakeMorph, AnOpenLineIsNoHoleOfASolid) {
+  const Drawing solid = of_layers({layer("a", {rectangle(1, 1, 8, 8)}, {1, 0, 0})});
+  for (int turn = 0; turn < 32; ++turn) {
+    const double angle = 0.2 * turn;
+    Subpath line = rectangle(1, 1, 8, 8);
+    line.segments.resize(1);
+    line.closed = false;
+    const Eigen::Vector2d middle(5.1, 4.9), way(3 * std::cos(angle), 3 * std::sin(angle));
+    line.segments[0].control << middle - way, middle + way;
+    const Drawing stroke = of_layers({outline("a", {line}, 1)});
+    for (const bool to_line : {true, false}) {
+      const Animation animation = to_line ? animate(make_morph(solid, stroke, options()))
+                                          : animate(make_morph(stroke, solid, options()));
+      double length = 0;
+      for (const FrameLayer& shown : frame_at(animation, to_line ? animation.duration : 0)) {
+        if (!shown.paint.stroke || shown.paint.stroke_width == 0) continue;
+        for (const Contour& points : shown.contours) {
+          length =
+              std::max(length, (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm());
+        }
+      }
+      EXPECT_NEAR(length, 6, 1e-6) << "direction " << angle << (to_line ? ", end" : ", start");
+    }
+  }
+}
+
 TEST(MakeMorph, LayersComeIntoTheOrderOfTheEnd) {
   const Layer x = layer("x", {rectangle(1, 1, 6, 6)}, {1, 0, 0}),
               y = layer("y", {rectangle(3, 3, 6, 6)}, {0, 0, 1});
