@@ -9,6 +9,8 @@
 
 #include "wavecurve/filters/detail/characters.hpp"
 
+#include "verification/study/study_plan.hpp"
+
 namespace wavecurve::reports {
 
 namespace {
@@ -38,7 +40,7 @@ std::vector<const StudyPoint*> points_in(const std::vector<StudyPoint>& points,
                                          const StudySetting& setting) {
   std::vector<const StudyPoint*> chosen;
   for (const StudyPoint& point : points) {
-    if (point.setting == setting) chosen.push_back(&point);
+    if (*point.setting == setting) chosen.push_back(&point);
   }
   return chosen;
 }
@@ -87,28 +89,36 @@ const StudyPoint* best_with_steps(const std::vector<const StudyPoint*>& points) 
 
 }  // namespace
 
-std::string short_name(const StudySetting& setting, const std::vector<StudySetting>& all) {
+ShortNames::ShortNames(const std::vector<StudySetting>& all) {
   const auto differs = [&](auto member) {
     return std::ranges::any_of(
         all, [&](const StudySetting& other) { return other.*member != all.front().*member; });
   };
+  filter_ = differs(&StudySetting::filter);
+  samples_ = differs(&StudySetting::samples);
+  levels_ = !samples_ && differs(&StudySetting::levels);
+  shape_ = differs(&StudySetting::shape);
+  mass_damping_ = differs(&StudySetting::mass_damping);
+  stiffness_damping_ = differs(&StudySetting::stiffness_damping);
+}
+
+std::string ShortNames::operator()(const StudySetting& setting) const {
   std::string name;
   const auto add = [&](bool is_needed, const std::string& part) {
     if (is_needed) name += (name.empty() ? "" : ", ") + part;
   };
-  add(differs(&StudySetting::filter), setting.filter);
-  add(differs(&StudySetting::samples), fmt::format("N = {}", setting.samples));
-  add(!differs(&StudySetting::samples) && differs(&StudySetting::levels),
-      fmt::format("{} levels", setting.levels));
-  add(differs(&StudySetting::shape), setting.shape);
-  add(differs(&StudySetting::mass_damping), fmt::format("s_1 = {}", setting.mass_damping));
-  add(differs(&StudySetting::stiffness_damping),
-      fmt::format("s_2 = {}", setting.stiffness_damping));
+  add(filter_, setting.filter);
+  add(samples_, fmt::format("N = {}", setting.samples));
+  add(levels_, fmt::format("{} levels", setting.levels));
+  add(shape_, setting.shape);
+  add(mass_damping_, fmt::format("s_1 = {}", setting.mass_damping));
+  add(stiffness_damping_, fmt::format("s_2 = {}", setting.stiffness_damping));
   return name.empty() ? setting.shape : name;
 }
 
 Chart floors_chart(const std::vector<StudyPoint>& points) {
   const std::vector<StudySetting> settings = settings_of(points);
+  const ShortNames short_name(settings);
   std::vector<const StudyPoint*> all;
   for (const StudyPoint& point : points) all.push_back(&point);
   const Names models = names_of(all, is_model);
@@ -123,7 +133,7 @@ Chart floors_chart(const std::vector<StudyPoint>& points) {
   chart.data.columns.insert(chart.data.columns.end(), {"least with steps", "by", "at"});
   for (const StudySetting& setting : settings) {
     const auto here = points_in(points, setting);
-    Names row = {short_name(setting, settings)};
+    Names row = {short_name(setting)};
     for (const std::string& model : models) {
       const auto found = std::ranges::find(here, model, &StudyPoint::solver);
       row.push_back(found != here.end() && (*found)->errors
@@ -263,7 +273,7 @@ Table orders_table(const StudySummary& summary) {
       {"setting", "solver", "order", "from", "to", "points", "coarsest", "finest"},
       {}};
   for (const ObservedOrder& order : summary.orders) {
-    table.rows.push_back({name_of(order.setting), order.solver,
+    table.rows.push_back({name_of(*order.setting), order.solver,
                           fmt::format("{:.2f}", order.fit.exponent),
                           fmt::format("{:.2f}", order.fit.low),
                           fmt::format("{:.2f}", order.fit.high), std::to_string(order.fit.points),
@@ -284,7 +294,7 @@ Table growth_table(const StudySummary& summary) {
   };
   for (const Growth& growth : summary.growth) {
     table.rows.push_back(
-        {name_of(growth.setting), growth.solver, number(growth.tolerance),
+        {name_of(*growth.setting), growth.solver, number(growth.tolerance),
          std::to_string(growth.samples.front()), std::to_string(growth.samples.back()),
          fmt::format("{:.2f}", growth.operations.exponent), interval(growth.operations),
          fmt::format("{:.2f}", growth.seconds.exponent), interval(growth.seconds)});

@@ -16,8 +16,14 @@ inline constexpr double small_error = 0.05;
 
 /// What a setting does not have in common with all of them, in few words; its shape if there is
 /// nothing.
-std::string short_name(const verification::StudySetting& setting,
-                       const std::vector<verification::StudySetting>& all);
+class ShortNames {
+ public:
+  explicit ShortNames(const std::vector<verification::StudySetting>& all);
+  std::string operator()(const verification::StudySetting& setting) const;
+
+ private:
+  bool filter_, samples_, levels_, shape_, mass_damping_, stiffness_damping_;  ///< what differs
+};
 
 /// Where every solver's curve ends, setting by setting: the floors of the models, and the least
 /// error of the solvers with steps.

@@ -16,6 +16,7 @@
 #include "reports/html_evidence.hpp"
 #include "reports/html_head.hpp"
 #include "reports/study_charts.hpp"
+#include "reports/study_overview.hpp"
 
 namespace wavecurve::reports {
 
@@ -39,7 +40,13 @@ const Paragraph nothing_solved{
 
 bool any_solved(const std::vector<StudyPoint>& points, const StudySetting& setting) {
   return std::ranges::any_of(
-      points, [&](const StudyPoint& point) { return point.setting == setting && point.errors; });
+      points, [&](const StudyPoint& point) { return *point.setting == setting && point.errors; });
+}
+
+/// ": a; b; c", or nothing if they are too many to be read.
+std::string listed(const std::vector<std::string>& names) {
+  if (names.empty() || names.size() > most_settings_shown) return "";
+  return fmt::format(": {}", fmt::join(names, "; "));
 }
 
 std::string section(const std::string& heading, const std::vector<Evidence>& evidence,
@@ -57,7 +64,7 @@ std::string section(const std::string& heading, const std::vector<Evidence>& evi
 
 std::vector<std::string> answer(const std::vector<StudyPoint>& points,
                                 const StudySummary& summary) {
-  const std::vector<StudySetting> settings = settings_of(points);
+  const ShortNames short_name(settings_of(points));
   std::vector<std::string> sentences;
   for (const char* model : {"decoupled", "block-decoupled"}) {
     std::vector<double> floors;
@@ -65,18 +72,17 @@ std::vector<std::string> answer(const std::vector<StudyPoint>& points,
     for (const ErrorFloor& floor : summary.floors) {
       if (floor.solver != model) continue;
       floors.push_back(floor.displacement_l2_max);
-      if (floors.back() <= small_error) small.push_back(short_name(floor.setting, settings));
+      if (floors.back() <= small_error) small.push_back(short_name(*floor.setting));
     }
     if (floors.empty()) continue;
     const auto [least, largest] = std::ranges::minmax(floors);
     sentences.push_back(fmt::format(
         "{}: floor {}, its model error, of the initial displacement; at most {:.0f} % in {} of {} "
-        "settings{}{}.",
+        "settings{}.",
         model,
         floors.size() > 1 ? fmt::format("{:.2g} to {:.2g}", least, largest)
                           : fmt::format("{:.3g}", least),
-        100 * small_error, small.size(), floors.size(), small.empty() ? "" : ": ",
-        fmt::join(small, "; ")));
+        100 * small_error, small.size(), floors.size(), listed(small)));
   }
   const auto error = [](const StudyPoint& point) {
     return point.tolerance && point.errors ? point.errors->displacement_l2_max : INFINITY;
@@ -112,20 +118,31 @@ void write_study(const std::vector<StudyPoint>& points, const StudySummary& summ
     figures[chart.id] = io::read_file(directory / "figures" / (chart.id + ".svg"));
     return chart;
   };
-  std::vector<Evidence> overview = {drawn(floors_chart(points))};
-  const Table orders = orders_table(summary), growth = growth_table(summary);
-  if (!orders.rows.empty()) overview.emplace_back(orders);
-  if (!growth.rows.empty()) overview.emplace_back(growth);
-  int number = 0;
-  std::string body = section("How accurate, at the end", overview, figures, number);
-  for (const StudySetting& setting : settings_of(points)) {
-    ++number;
-    std::vector<Evidence> evidence;
-    if (!any_solved(points, setting)) evidence.emplace_back(nothing_solved);
-    evidence.push_back(drawn(work_precision_chart(points, setting, number)));
-    const Chart model = model_error_chart(points, setting, number);
-    if (!model.data.rows.empty()) evidence.push_back(drawn(model));
-    body += section(name_of(setting), evidence, figures, number);
+  std::string body;
+  const std::vector<StudySetting> settings = settings_of(points);
+  if (settings.size() > most_settings_shown) {
+    std::vector<Evidence> overview = {drawn(accuracy_map(points))};
+    for (const Table& table : {extremes_table(points, summary), influence_table(summary),
+                               orders_overview(summary), growth_overview(summary)}) {
+      if (!table.rows.empty()) overview.emplace_back(table);
+    }
+    body = section(fmt::format("{} points of {} settings, which the files hold one by one",
+                               points.size(), settings.size()),
+                   overview, figures, 0);
+  } else {
+    std::vector<Evidence> overview = {drawn(floors_chart(points))};
+    const Table orders = orders_table(summary), growth = growth_table(summary);
+    if (!orders.rows.empty()) overview.emplace_back(orders);
+    if (!growth.rows.empty()) overview.emplace_back(growth);
+    body = section("How accurate, at the end", overview, figures, 0);
+    for (int number = 1; const StudySetting& setting : settings) {
+      std::vector<Evidence> evidence;
+      if (!any_solved(points, setting)) evidence.emplace_back(nothing_solved);
+      evidence.push_back(drawn(work_precision_chart(points, setting, number)));
+      const Chart model = model_error_chart(points, setting, number);
+      if (!model.data.rows.empty()) evidence.push_back(drawn(model));
+      body += section(name_of(setting), evidence, figures, number++);
+    }
   }
   io::write_file(directory / "index.html",
                  html_head(title) + "<body>\n<header>\n<h1>" + title + "</h1>\n" +

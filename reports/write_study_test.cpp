@@ -1,6 +1,7 @@
 #include "reports/write_study.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include "wavecurve/io/files/read_file.hpp"
 
 #include "reports/study_charts.hpp"
+#include "reports/study_overview.hpp"
 
 namespace wavecurve::reports {
 namespace {
@@ -41,7 +43,9 @@ std::vector<StudyPoint> some_points() {
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i) {
     points.push_back(points[i]);
-    points.back().setting.shape = "my \"drawing\".svg";
+    StudySetting setting;
+    setting.shape = "my \"drawing\".svg";
+    points.back().setting = std::make_shared<const StudySetting>(setting);
     if (points.back().solver == "decoupled") points.back().errors->displacement_l2_max = 0.01;
   }
   return points;
@@ -98,9 +102,56 @@ TEST(WriteStudy, WhereNothingSolvedOrNothingErredThereIsAPageAllTheSame) {
   EXPECT_EQ(count_of(exact, "<figure"), 0u);
 }
 
+/// A setting for each damping; the model's error grows with it, as no real one does.
+std::vector<StudyPoint> points_of_many_settings(int count) {
+  std::vector<StudyPoint> points;
+  for (int i = 0; i < count; ++i) {
+    StudySetting setting;
+    setting.stiffness_damping = i;
+    setting.shape = i % 2 == 0 ? "star" : "dent";
+    const auto shared = std::make_shared<const StudySetting>(setting);
+    points.push_back(point_of("decoupled", {}, 0.01 * (i + 1)));
+    for (const double tolerance : {1e-2, 1e-4}) {
+      points.push_back(i == 5 ? failed("coupled", tolerance)
+                              : point_of("coupled", tolerance, tolerance * (i + 1)));
+    }
+    for (std::size_t k = points.size() - 3; k < points.size(); ++k) points[k].setting = shared;
+  }
+  return points;
+}
+
+TEST(WriteStudy, OfManySettingsThePageHasTheBestTheWorstAndAMap) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("wavecurve_write_study_many_" + std::to_string(::getpid()));
+  const auto points = points_of_many_settings(100);
+  const StudySummary summary = summarize(points);
+  write_study(points, summary, folder);
+  const std::string page = io::read_file(folder / "index.html");
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(count_of(page, "<figure"), 1u);
+  EXPECT_EQ(count_of(page, "id=\"figure-accuracy-map\""), 1u);
+  EXPECT_LT(page.size(), 100000u);
+  const Table map = accuracy_map(points).data;
+  ASSERT_EQ(map.rows.size(), 2u);
+  EXPECT_EQ(map.rows[1],
+            (std::vector<std::string>{"coupled", "2", "0.0001", "99", "1", "0.0001", "0.0051",
+                                      "0.01", "db4, 64 samples, 6 levels; dent, damping 0, 99"}));
+  const Table extremes = extremes_table(points, summary);
+  ASSERT_EQ(extremes.rows.size(), 20u);
+  EXPECT_EQ(extremes.rows.front(),
+            (std::vector<std::string>{"decoupled", "worst", "1", "dent, s_2 = 99"}));
+  EXPECT_EQ(extremes.rows.back(),
+            (std::vector<std::string>{"decoupled", "best", "0.01", "star, s_2 = 0"}));
+  const Table influence = influence_table(summary);
+  ASSERT_EQ(influence.rows.size(), 102u);  // of the dampings, then of the shapes
+  EXPECT_EQ(influence.rows.back()[1], "dent");
+  EXPECT_EQ(influence.rows.back()[6], "1");
+  EXPECT_EQ(accuracy_map(some_points()).data.rows.size(), 3u);
+}
+
 TEST(WriteStudy, ChartsHaveOneRowAPoint) {
   const auto points = some_points();
-  const Chart chart = work_precision_chart(points, points[0].setting, 1);
+  const Chart chart = work_precision_chart(points, *points[0].setting, 1);
   EXPECT_EQ(chart.data.rows.size(), 5u);
   for (const auto& row : chart.data.rows) EXPECT_EQ(row.size(), chart.data.columns.size());
   const Chart floors = floors_chart(points);
@@ -108,8 +159,8 @@ TEST(WriteStudy, ChartsHaveOneRowAPoint) {
   for (const auto& row : floors.data.rows) EXPECT_EQ(row.size(), floors.data.columns.size());
   EXPECT_EQ(floors.data.rows[1][1], "0.01");
   EXPECT_EQ(floors.data.rows[1][3], "coupled");
-  EXPECT_EQ(model_error_chart(points, points[0].setting, 1).data.rows.size(), 41u);
-  EXPECT_TRUE(model_error_chart({points[2]}, points[2].setting, 1).data.rows.empty());
+  EXPECT_EQ(model_error_chart(points, *points[0].setting, 1).data.rows.size(), 41u);
+  EXPECT_TRUE(model_error_chart({points[2]}, *points[2].setting, 1).data.rows.empty());
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ librapidcheck-dev     header:rapidcheck.h
 librlottie-dev        header:rlottie.h
 ffmpeg                program:ffmpeg
 codespell             program:codespell
+parallel              program:parallel
 '
 # The Python package is built and tested with Debian's own interpreter.
 python_packages='

@@ -64,7 +64,7 @@ mkdir -p "$project/tools/browser_tests"
 cp "$tools/test.sh" "$tools/install_dependencies.sh" "$project/tools"
 echo 'lock' >"$project/tools/browser_tests/package-lock.json"
 for name in cmp cp mkdir nproc; do ln -s "$(command -v $name)" "$machine/$name"; done
-for name in cmake ctest git ffmpeg codespell rsvg-convert chromium node; do fake $name "echo \"$name called: \$*\""; done
+for name in cmake ctest git ffmpeg codespell parallel rsvg-convert chromium node; do fake $name "echo \"$name called: \$*\""; done
 fake npm 'echo "npm called: $*"; exit 1'
 expect 3 '--no-browser leaves them out' on_the_machine "$project/tools/test.sh"
 expect 0 'ctest called: --preset release -j '"$(nproc)"' --label-exclude browser' \

@@ -1,28 +1,31 @@
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "wavecurve/curves/sample_contour.hpp"
 #include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/io/files/detail/output_folder.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
-#include "reports/write_study.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/compare_merge.hpp"
 #include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/number_format.hpp"
-#include "tools/commands/output/study_text.hpp"
+#include "tools/commands/output/study_files.hpp"
 #include "tools/commands/progress.hpp"
+#include "tools/commands/started_ranks.hpp"
 #include "tools/commands/terminal.hpp"
 #include "verification/study/named_shapes.hpp"
+#include "verification/study/solver_study.hpp"
 #include "verification/study/study_journal.hpp"
 #include "verification/study/study_json.hpp"
 
@@ -39,6 +42,9 @@ struct CompareOptions {
   std::vector<double> dampings = {0, 0, 0, 0.1, 0, 1};  ///< s1, s2 of each
   std::vector<std::string> solvers;  ///< empty: all that solve the equation with mass
   std::string format = "text", directory;
+  Shard shard;
+  bool one_a_core = false;
+  std::vector<std::string> merged;  ///< folders of runs to be joined
 };
 
 /// Once each, in the order of the first.
@@ -86,57 +92,90 @@ StudyPlan plan_of(const CompareOptions& options) {
   return plan;
 }
 
-std::vector<StudyPoint> points_of(const CompareOptions& options) {
+/// On all cores, or with a team of other processes.
+std::vector<StudyPoint> computed(const StudyPlan& plan, const CompareOptions& options,
+                                 std::optional<Team>& team) {
   StudyHooks hooks;
   std::optional<StudyJournal> journal;
   if (!options.directory.empty()) {
-    journal.emplace(std::filesystem::path(options.directory) / "compare.points.jsonl");
-    for (const std::string& warning : journal->warnings()) print_message(warning);
-    hooks.known = journal->points();
+    const std::filesystem::path directory = options.directory;
+    journal.emplace(directory / journal_name);
+    hooks.known = [&, directory](const auto& take) {
+      // A part is never published, but joined from what stands here. The plan has been found to be good.
+      if (options.shard.count > 1) io::write_file(directory / plan_name, to_json(plan));
+      journal->read(take);
+      for (const std::string& warning : journal->warnings()) print_message(warning);
+    };
     hooks.finished = [&](const StudyPoint& point) { journal->append(point); };
   }
   Progress progress("points");
   hooks.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-  return run_study(plan_of(options), hooks);
-}
-
-/// The tables, then what those of several settings come to.
-std::string study_as_text(const std::vector<StudyPoint>& points, const StudySummary& summary,
-                          const std::filesystem::path& directory) {
-  std::string text = study_text(points, summary);
-  const auto sentences = reports::answer(points, summary);
-  if (settings_of(points).size() > 1) text += fmt::format("\n{}\n", fmt::join(sentences, "\n"));
-  return text + (directory.empty() ? "\n-o DIR also writes a page of charts\n"
-                                   : fmt::format("\nreport: {}\n",
-                                                 printable((directory / "index.html").string())));
+  return team ? run_study(*team, plan, hooks, options.shard)
+              : run_study(plan, hooks, options.shard);
 }
 
 void compare_solvers(const CompareOptions& given) {
   const CompareOptions options = completed(given);
-  const std::filesystem::path directory = options.directory;
+  const StudyPlan plan = plan_of(options);
+  const std::unique_ptr<Ranks> ranks = started_ranks();
+  if (ranks && options.one_a_core) keep_to_a_core(*ranks);
+  if (ranks && ranks->rank() != 0) {
+    follow(*ranks, plan, {}, options.shard);
+    return;
+  }
+  std::optional<Team> team;
+  if (ranks) team.emplace(*ranks);
   std::optional<io::OutputFolder> output;
-  if (!directory.empty()) output.emplace(directory);
-  const std::vector<StudyPoint> points = points_of(options);
+  if (!options.directory.empty()) output.emplace(options.directory);
+  const std::vector<StudyPoint> points = computed(plan, options, team);
+  team.reset();
+  const bool is_whole = options.shard.count == 1;
+  if (!is_whole && options.format == "text") {
+    print_text(
+        fmt::format("shard {}/{}: {} points are in {}\n", options.shard.index, options.shard.count,
+                    points.size(),
+                    printable((std::filesystem::path(options.directory) / journal_name).string())));
+    return;
+  }
   const StudySummary summary = summarize(points);
-  if (output) {
-    io::write_file(output->staging() / "compare.json", to_json(points, summary));
-    io::write_file(output->staging() / "compare.csv", study_csv(points));
-    reports::write_study(points, summary, output->staging());
+  if (output && is_whole) {
+    write_study_files(plan, points, summary, output->staging());
     output->publish();
   }
-  const std::string text = options.format == "json"  ? to_json(points, summary)
-                           : options.format == "csv" ? study_csv(points)
-                                                     : study_as_text(points, summary, directory);
-  if (options.format == "text") {
-    print_text(text);
-  } else {
-    std::fputs(text.c_str(), stdout);
+  print_study(points, summary, options.format, options.directory);
+  if (options.one_a_core && options.format == "text") {
+    print_text(fmt::format("measured with {} side by side, each process on a core of its own\n",
+                           ranks ? ranks->local_count() : 1));
   }
+}
+
+Shard shard_of(const std::string& text) {
+  const auto number = [&](std::string_view part) {
+    std::size_t value = 0;
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    const bool is_whole = error == std::errc() && stop == part.data() + part.size();
+    constexpr std::size_t most = 1000000;
+    if (!is_whole || value < 1 || value > most) {
+      throw std::invalid_argument(
+          fmt::format("--shard {}: must be I/N with 1 <= I <= N <= {}", text, most));
+    }
+    return value;
+  };
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::string_view all = text;
+  const Shard shard{number(all.substr(0, slash)),
+                    number(all.substr(std::min(slash + 1, all.size())))};
+  if (shard.index > shard.count) {
+    throw std::invalid_argument(
+        fmt::format("--shard {}: must be I/N with 1 <= I <= N, but {} is above {}", text,
+                    shard.index, shard.count));
+  }
+  return shard;
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, ExitCode&) {
+void add_compare_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare",
@@ -176,7 +215,36 @@ void add_compare_command(CLI::App& app, ExitCode&) {
       "Also write index.html with charts, compare.json and compare.csv into this folder. Finished "
       "points are kept there in compare.points.jsonl, from which an interrupted run resumes "
       "(remove the file to measure again)");
-  command->callback([options] { compare_solvers(*options); });
+  auto shard = std::make_shared<std::string>();
+  command->add_option(
+      "--shard", *shard,
+      "I/N: compute the I-th of N parts of the study, for as many machines; each has its own -o DIR, "
+      "and --merge joins them");
+  command
+      ->add_option("--merge", options->merged,
+                   "Join the points of these folders of one study into -o DIR, without computing "
+                   "anything; exit code 1 if points are missing. The study is that of the folders; "
+                   "the other lists do not count")
+      ->expected(1, CLI::detail::expected_max_vector_size);
+  command->add_flag(
+      "--one-a-core", options->one_a_core,
+      "Under mpirun: keep each process to a core of its own, refuse more processes than "
+      "cores, and say how many ran side by side, so that times can be compared");
+  command->callback([options, shard, &exit_code] {
+    if (!shard->empty()) options->shard = shard_of(*shard);
+    const bool is_joined = !options->merged.empty();
+    if ((is_joined || options->shard.count > 1) && options->directory.empty()) {
+      throw std::invalid_argument(is_joined ? "--merge needs -o DIR" : "--shard needs -o DIR");
+    }
+    if (options->one_a_core && !is_started_with_others()) {
+      throw std::invalid_argument("--one-a-core: only for processes that mpirun starts");
+    }
+    if (is_joined) {
+      exit_code = merge_studies(options->merged, options->directory, options->format);
+    } else {
+      compare_solvers(*options);
+    }
+  });
 }
 
 }  // namespace wavecurve::tools

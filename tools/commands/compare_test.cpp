@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -137,6 +138,154 @@ TEST_F(CompareCommand, ResumesAfterAKill) {
             lines(io::read_file(folder_ / "whole" / "compare.points.jsonl")));
   EXPECT_EQ(without_times(folder_ / "part" / "compare.json"),
             without_times(folder_ / "whole" / "compare.json"));
+}
+
+const std::string small_study =
+    "compare --samples 16 --shape star,dent --damping 0,0 --damping 0,0.1 "
+    "--solvers decoupled,implicit-ldlt ";
+
+TEST_F(CompareCommand, JoinsShardsToTheWhole) {
+  ASSERT_EQ(wavecurve(small_study + "-o whole").exit_code, 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    const std::string folder = std::string("part") + shard[0];
+    const ProgramRun run = wavecurve(small_study + "--shard " + shard + " -o " + folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out.find(std::string("shard ") + shard + ": "), 0u) << run.out;
+    EXPECT_FALSE(exists(folder_ / folder / "compare.json"));
+  }
+  const ProgramRun part = wavecurve("compare --merge part1 part3 -o joined");
+  EXPECT_EQ(part.exit_code, 1);
+  EXPECT_NE(part.err.find(" points are missing; "), std::string::npos) << part.err;
+  const ProgramRun joined = wavecurve("compare --merge part1 part2 part3 -o joined --format json");
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(joined.out, io::read_file(folder_ / "joined" / "compare.json"));
+  EXPECT_EQ(without_times(folder_ / "joined" / "compare.json"),
+            without_times(folder_ / "whole" / "compare.json"));
+  EXPECT_TRUE(exists(folder_ / "joined" / "index.html"));
+  // The command of the study finds everything there.
+  const std::string journal = io::read_file(folder_ / "joined" / "compare.points.jsonl");
+  EXPECT_EQ(wavecurve(small_study + "-o joined").exit_code, 0);
+  EXPECT_EQ(io::read_file(folder_ / "joined" / "compare.points.jsonl"), journal);
+}
+
+TEST_F(CompareCommand, JobArraysGiveTheWhole) {
+  const std::string arguments = small_study.substr(std::string("compare ").size());
+  ASSERT_EQ(wavecurve(small_study + "-o whole").exit_code, 0);
+  const std::string examples = std::string(WAVECURVE_SOURCE_DIR) + "/docs/examples/";
+  const std::string path =
+      "PATH='" + std::filesystem::path(WAVECURVE_PROGRAM).parent_path().string() + "':\"$PATH\" ";
+  const std::string in_folder = "cd '" + folder_.string() + "' && ";
+  // As Slurm runs the script, once a task.
+  const ProgramRun slurm = run(in_folder + "mkdir slurm && cd slurm && for i in 1 2 3; do " + path +
+                               "SLURM_ARRAY_TASK_ID=$i SLURM_ARRAY_TASK_MAX=3 '" + examples +
+                               "study-array.slurm' " + arguments + " || exit; done && " + path +
+                               "wavecurve compare --merge study/part-* -o study");
+  ASSERT_EQ(slurm.exit_code, 0) << slurm.err;
+  EXPECT_EQ(without_times(folder_ / "slurm" / "study" / "compare.json"),
+            without_times(folder_ / "whole" / "compare.json"));
+  if (run("parallel --version </dev/null").out.find("GNU parallel") == std::string::npos) {
+    GTEST_SKIP() << "GNU parallel is missing";
+  }
+  const ProgramRun parallel = run(in_folder + path + "HOME='" + folder_.string() + "' '" +
+                                  examples + "study-parallel.sh' " + arguments + " </dev/null");
+  ASSERT_EQ(parallel.exit_code, 0) << parallel.err;
+  EXPECT_EQ(without_times(folder_ / "study" / "compare.json"),
+            without_times(folder_ / "whole" / "compare.json"));
+}
+
+#ifdef WAVECURVE_MPIRUN
+
+/// Open MPI refuses root, and more processes than cores, unless it is told not to.
+std::string mpirun(int processes) {
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+         "OMPI_MCA_rmaps_base_oversubscribe=1 '" WAVECURVE_MPIRUN "' -n " +
+         std::to_string(processes) + " '" WAVECURVE_PROGRAM "' ";
+}
+
+TEST_F(CompareCommand, UnderMpirunGivesTheSamePoints) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "MPI itself is not instrumented";
+#endif
+  ASSERT_EQ(wavecurve(small_study + "-o whole").exit_code, 0);
+  const std::string in_folder = "cd '" + folder_.string() + "' && ";
+  for (const int processes : {2, 5}) {
+    const std::string folder = "on" + std::to_string(processes);
+    const ProgramRun ranks = run(in_folder + mpirun(processes) + small_study + "-o " + folder);
+    ASSERT_EQ(ranks.exit_code, 0) << ranks.err;
+    EXPECT_EQ(ranks.err, "");
+    EXPECT_EQ(std::ranges::count(ranks.out, '\n'),
+              std::ranges::count(wavecurve(small_study + "-o whole").out, '\n'));
+    EXPECT_EQ(without_times(folder_ / folder / "compare.json"),
+              without_times(folder_ / "whole" / "compare.json"));
+  }
+  // What is wrong is said once.
+  const ProgramRun refused = run(in_folder + mpirun(3) + "compare --filter nope -o nothing");
+  EXPECT_NE(refused.exit_code, 0);
+  const auto first = refused.err.find("wavecurve: unknown filter 'nope'");
+  EXPECT_NE(first, std::string::npos) << refused.err;
+  EXPECT_EQ(refused.err.find("wavecurve: ", first + 1), std::string::npos) << refused.err;
+}
+
+TEST_F(CompareCommand, UnderMpirunARankThatDiesEndsTheRunAndTheSameCommandResumes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "MPI itself is not instrumented";
+#endif
+  const std::string arguments =
+      "compare --samples 64 --shape star --damping 0,0 --damping 0,0.1 --solvers decoupled,implicit "
+      "-o part";
+  // The second process is killed as soon as a few points are there.
+  const ProgramRun killed = run(
+      "cd '" + folder_.string() + "' && { " + mpirun(2) + arguments +
+      " & while [ \"$(cat part/compare.points.jsonl 2>/dev/null | wc -l)\" -lt 2 ]; do "
+      "sleep 0.001; done; "
+      "for p in $(pgrep -f 'compare --samples 64 .* -o part'); do "
+      "tr '\\0' '\\n' </proc/$p/environ | grep -q '^OMPI_COMM_WORLD_RANK=1' && kill -9 $p; done; "
+      "wait; } >/dev/null 2>messages; grep -c '^wavecurve: ' messages");
+  EXPECT_EQ(killed.out, "0\n");  // mpirun says it
+  EXPECT_FALSE(exists(folder_ / "part" / "compare.json"));
+  const ProgramRun again = run("cd '" + folder_.string() + "' && " + mpirun(2) + arguments);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(exists(folder_ / "part" / "compare.json"));
+}
+
+TEST_F(CompareCommand, UnderMpirunKeepsEachProcessToACore) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "MPI itself is not instrumented";
+#endif
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const ProgramRun fit = run(mpirun(2) + small_study + "--one-a-core");
+  if (cores >= 2) {
+    EXPECT_EQ(fit.exit_code, 0) << fit.err;
+    EXPECT_TRUE(
+        fit.out.ends_with("measured with 2 side by side, each process on a core of its own\n"));
+  }
+  const ProgramRun many = run(mpirun(cores + 1) + small_study + "--one-a-core");
+  EXPECT_NE(many.exit_code, 0);
+  EXPECT_NE(many.err.find("processes on a machine of"), std::string::npos) << many.err;
+  expect_refusal("compare --one-a-core", "mpirun");
+}
+
+#endif
+
+TEST_F(CompareCommand, RefusesShardsThatDoNotFit) {
+  ASSERT_EQ(wavecurve(small_study + "--shard 1/40 -o a").exit_code, 0);
+  ASSERT_EQ(wavecurve("compare --samples 16 --solvers decoupled --shard 1/2 -o b").exit_code, 0);
+  expect_refusal("compare --merge a b -o c", "a and b are of different studies");
+  expect_refusal("compare --merge a missing -o c", "missing/compare.plan.json");
+  expect_refusal("compare --merge a", "--merge needs -o DIR");
+  expect_refusal("compare --shard 1/2", "--shard needs -o DIR");
+  for (const char* shard :
+       {"0/2", "3/2", "1", "/", "1/", "/2", "1/2/3", "a/b", "-1/2", "1/2000000"}) {
+    expect_refusal(std::string("compare -o c --shard=") + shard, "I/N");
+  }
+  // The file of that name was another one on the other machine.
+  const std::string drawing = "compare --samples 16 --shape hull.csv --solvers decoupled -o ";
+  for (const char* folder : {"d", "e"}) {
+    io::write_file(folder_ / "hull.csv",
+                   std::string("x,y\n0,0\n3,0\n3,2\n0,") + (*folder == 'd' ? "1\n" : "2\n"));
+    ASSERT_EQ(wavecurve(drawing + folder).exit_code, 0);
+  }
+  expect_refusal("compare --merge d e -o f", "d and e disagree about decoupled");
 }
 
 TEST_F(CompareCommand, WhatTheMachineLackedIsNoResult) {

@@ -2,11 +2,24 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "wavecurve/filters/detail/characters.hpp"
 
 namespace wavecurve::tools {
+
+namespace {
+
+/// Whether another process of the same mpirun (Open MPI's, or MPICH's) says what there is to say.
+bool is_silent_rank() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK"}) {
+    if (const char* rank = std::getenv(name)) return std::string_view(rank) != "0";
+  }
+  return false;
+}
+
+}  // namespace
 
 void print_text(std::string_view text) {
   std::string lines;
@@ -20,6 +33,7 @@ void print_text(std::string_view text) {
 }
 
 void print_message(std::string_view message) {
+  if (is_silent_rank()) return;
   constexpr std::size_t longest = 2000, beginning = 1000, end = 500;
   std::string line(message);
   if (line.size() > longest) {

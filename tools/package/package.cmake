@@ -1,5 +1,5 @@
-# cpack: a Debian package of the program and the library and one of the Python package, whose dependencies are what they
-# are linked with (dpkg-shlibdeps), and an archive of all that may be unpacked anywhere.
+# cpack: Debian packages of the program with the library, of the Python package and of what needs MPI, whose dependencies
+# are what they are linked with (dpkg-shlibdeps), and an archive of all that may be unpacked anywhere.
 set(maintainer "The wavecurve authors <maintainers@wavecurve.example>")
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME wavecurve)
@@ -54,5 +54,16 @@ Filter banks, connection coefficients to any number of proved digits, checks
 of published tables, the periodic wavelet transform of numpy arrays, stiffness
 operators for scipy, the motion of elastic curves, descriptors and morphs of
 drawings.")
+endif()
+if(TARGET wavecurve_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+  set(CPACK_COMPONENT_MPI_GROUP mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME wavecurve-mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "wavecurve (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+  set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS "openmpi-bin")
+  set(CPACK_DEBIAN_MPI_DESCRIPTION
+      "studies of wavelet solvers on many machines
+With this, the command compare of the program wavecurve, started by mpirun,
+hands the points of its study out to all processes.")
 endif()
 include(CPack)

@@ -68,7 +68,7 @@ TEST(SolverStudy, IsTheProductInOrderOnAllCores) {
   ASSERT_EQ(points.size(), 14u);
   ASSERT_EQ(again.size(), 14u);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_EQ(points[i].setting, plan.settings[i / 7]);
+    EXPECT_EQ(*points[i].setting, plan.settings[i / 7]);
     EXPECT_EQ(points[i].solver, plan.solvers[i % 7 > 0]);
     EXPECT_EQ(points[i].errors->energy_norm_max, again[i].errors->energy_norm_max);
     EXPECT_EQ(points[i].cost.operations, again[i].cost.operations);
@@ -94,10 +94,13 @@ TEST(SolverStudy, ReportsProgressAndRefusesUnknownSolversFirst) {
 TEST(SolverStudy, TakesUpKnownPoints) {
   const StudyPlan plan = plan_of({"decoupled", "implicit-ldlt"});
   StudyHooks hooks;
-  hooks.known = run_study(plan);
-  for (StudyPoint& point : hooks.known) point.seconds = 1e6;  // known by its colour
-  hooks.known.erase(hooks.known.begin() + 2);
-  hooks.known[3].fingerprint = "another file of that name";
+  std::vector<StudyPoint> known = run_study(plan);
+  for (StudyPoint& point : known) point.seconds = 1e6;  // known by its colour
+  known.erase(known.begin() + 2);
+  ++known[3].fingerprint;  // another file of that name
+  hooks.known = [&](const auto& take) {
+    for (const StudyPoint& point : known) take(point);
+  };
   std::vector<StudyPoint> computed;
   hooks.finished = [&](const StudyPoint& point) { computed.push_back(point); };
   const auto points = run_study(plan, hooks);
@@ -117,6 +120,47 @@ TEST(SolverStudy, EndsWithWhatAHookThrows) {
   };
   EXPECT_THROW(run_study(plan_of({"decoupled", "implicit-ldlt"}), hooks), std::runtime_error);
   EXPECT_EQ(calls, 1);
+}
+
+TEST(SolverStudy, ShardsAreDisjointAndTogetherTheWhole) {
+  StudySetting other;
+  other.shape = "star";
+  const StudyPlan plan = plan_of({"block-decoupled", "implicit-ldlt"}, {{}, other});
+  const auto whole = run_study(plan);
+  for (const std::size_t count : {2u, 3u, 14u, 20u}) {
+    std::size_t all = 0;
+    for (std::size_t index = 1; index <= count; ++index) {
+      const auto part = run_study(plan, {}, {index, count});
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const StudyPoint& same = whole.at(i * count + index - 1);
+        EXPECT_EQ(*part[i].setting, *same.setting);
+        EXPECT_EQ(part[i].solver, same.solver);
+        EXPECT_EQ(part[i].errors, same.errors);
+        EXPECT_EQ(part[i].cost, same.cost);
+        EXPECT_EQ(part[i].fingerprint, same.fingerprint);
+      }
+      all += part.size();
+    }
+    EXPECT_EQ(all, whole.size()) << count;
+  }
+  EXPECT_THROW(run_study(plan, {}, {0, 2}), std::invalid_argument);
+  EXPECT_THROW(run_study(plan, {}, {3, 2}), std::invalid_argument);
+}
+
+TEST(SolverStudy, RefusesAFileThatChangesDuringTheRun) {
+  const auto file = std::filesystem::temp_directory_path() / "wavecurve_changing_study_test.csv";
+  const auto write = [&](const char* last) {
+    io::write_file(file, std::string("x,y\n0,0\n3,0\n3,2\n") + last);
+  };
+  write("0,1\n");
+  StudySetting setting;
+  setting.samples = 16;
+  setting.levels = 4;
+  setting.shape = file.string();
+  StudyHooks hooks;
+  hooks.known = [&](const auto&) { write("0,2\n"); };
+  EXPECT_THROW(run_study(plan_of({"spectral"}, {setting}), hooks), std::runtime_error);
+  std::filesystem::remove(file);
 }
 
 TEST(SolverStudy, RefusesAShapeAtRest) {

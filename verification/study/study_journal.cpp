@@ -1,6 +1,5 @@
 #include "verification/study/study_journal.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <optional>
@@ -15,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include "wavecurve/io/files/detail/folder_lock.hpp"
-#include "wavecurve/io/files/read_file.hpp"
 
 #include "verification/study/study_json.hpp"
 
@@ -66,14 +64,19 @@ JournalLine line_of(std::string_view text) {
 /// How every line of ours begins, whatever became of the rest.
 constexpr std::string_view beginning = "{\"solver\":";
 
-bool is_journal(std::string_view text) {
-  if (beginning.starts_with(text)) return true;  // empty, or torn in the first line
-  for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1) {
-    if (text.substr(start).starts_with(beginning)) return true;
-    if (text.find('\n', start) == std::string_view::npos) break;
+/// A line of ours has some 2,000 characters at most, its names of files included.
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+/// The numbers of lines that are not believed: all are counted, the first are named.
+struct Disbelieved {
+  static constexpr std::size_t most = 5;
+  std::size_t count = 0;
+  std::vector<std::size_t> first;
+
+  void add(std::size_t number) {
+    if (++count <= most) first.push_back(number);
   }
-  return false;
-}
+};
 
 }  // namespace
 
@@ -86,47 +89,67 @@ StudyJournal::StudyJournal(const std::filesystem::path& path)
     throw std::invalid_argument(path_.string() + " is no journal of a study: it is no plain file");
   }
   io::lock_for_this_run(file_, path_);
-  read();
 }
 
-void StudyJournal::read() {
-  const std::string text = io::read_file(path_);
-  if (!is_journal(text)) {
+std::string StudyJournal::for_each_line(
+    const std::function<void(std::string_view, std::size_t)>& line) {
+  std::string text;
+  std::vector<char> bytes(std::size_t{1} << 18);
+  std::size_t number = 0;
+  for (off_t offset = 0;;) {
+    const ssize_t count = ::pread(file_.number(), bytes.data(), bytes.size(), offset);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot read", path_);
+    if (count == 0) return text;
+    offset += count;
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+    std::size_t start = 0;
+    for (std::size_t end = 0; (end = text.find('\n', start)) != std::string::npos;
+         start = end + 1) {
+      line(std::string_view(text).substr(start, end - start), ++number);
+    }
+    text.erase(0, start);
+    if (text.size() > longest_line) {
+      throw std::invalid_argument(
+          fmt::format("{} is no journal of a study: line {} has more than {} characters",
+                      path_.string(), number + 1, longest_line));
+    }
+  }
+}
+
+void StudyJournal::read(const std::function<void(StudyPoint)>& take) {
+  warnings_.clear();
+  Disbelieved altered, without;
+  bool is_journal = false;
+  off_t whole = 0;
+  const std::string torn = for_each_line([&](std::string_view text, std::size_t number) {
+    whole += static_cast<off_t>(text.size() + 1);
+    is_journal = is_journal || text.starts_with(beginning);
+    JournalLine line = line_of(text);
+    if (line.belief == Belief::none) altered.add(number);
+    if (line.belief == Belief::of_a_version_before) without.add(number);
+    if (line.belief == Belief::whole && line.point) take(std::move(*line.point));
+  });
+  const bool is_torn_in_the_first = whole == 0 && beginning.starts_with(torn);
+  if (!is_journal && !torn.starts_with(beginning) && !is_torn_in_the_first) {
     throw std::invalid_argument(path_.string() +
                                 " is no journal of a study: none of its lines is a point of one");
   }
-  const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 is 0
-  take(std::string_view(text).substr(0, whole));
-  if (whole == text.size()) return;
-  if (::ftruncate(file_.number(), static_cast<off_t>(whole)) != 0) fail("cannot shorten", path_);
+  warn("altered, or no point of this version", altered.count, altered.first);
+  warn("without a checksum, of a version before", without.count, without.first);
+  if (torn.empty()) return;
+  if (::ftruncate(file_.number(), whole) != 0) fail("cannot shorten", path_);
   warnings_.push_back(path_.string() +
                       ": the last line was not written to its end; its point is measured anew");
 }
 
-void StudyJournal::take(std::string_view text) {
-  std::vector<std::size_t> altered, without;
-  std::size_t number = 0;
-  for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-    end = text.find('\n', start);
-    ++number;
-    JournalLine line = line_of(text.substr(start, end - start));
-    if (line.belief == Belief::none) altered.push_back(number);
-    if (line.belief == Belief::of_a_version_before) without.push_back(number);
-    if (line.belief == Belief::whole && line.point) points_.push_back(std::move(*line.point));
-  }
-  warn("altered, or no point of this version", altered);
-  warn("without a checksum, of a version before", without);
-}
-
-void StudyJournal::warn(const char* what, const std::vector<std::size_t>& lines) {
-  if (lines.empty()) return;
-  constexpr std::size_t most = 5;
-  const std::vector<std::size_t> first(
-      lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size())));
-  warnings_.push_back(fmt::format(
-      "{}: {} {}{} {}; measured anew", path_.string(), lines.size() == 1 ? "line" : "lines",
-      fmt::join(first, ", "),
-      lines.size() > most ? fmt::format(" and {} more", lines.size() - most) : "", what));
+void StudyJournal::warn(const char* what, std::size_t count,
+                        const std::vector<std::size_t>& first_lines) {
+  if (count == 0) return;
+  const std::size_t more = count - first_lines.size();
+  warnings_.push_back(fmt::format("{}: {} {}{} {}; measured anew", path_.string(),
+                                  count == 1 ? "line" : "lines", fmt::join(first_lines, ", "),
+                                  more > 0 ? fmt::format(" and {} more", more) : "", what));
 }
 
 void StudyJournal::append(const StudyPoint& point) {

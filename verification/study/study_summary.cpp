@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -94,14 +96,11 @@ StudySetting without_size(StudySetting setting) {
 template <class Key>
 std::vector<Points> grouped(const Points& points, Key key) {
   std::vector<Points> groups;
+  std::map<decltype(key(*points.front())), std::size_t> group_of_key;
   for (const StudyPoint* point : points) {
-    const auto found = std::ranges::find_if(
-        groups, [&](const Points& group) { return key(*group.front()) == key(*point); });
-    if (found == groups.end()) {
-      groups.push_back({point});
-    } else {
-      found->push_back(point);
-    }
+    const auto [found, is_new] = group_of_key.emplace(key(*point), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[found->second].push_back(point);
   }
   return groups;
 }
@@ -113,8 +112,8 @@ std::optional<Growth> growth_of(const Points& points) {
   std::vector<double> samples, operations, seconds;
   for (const StudyPoint* point : points) {
     if (!point->errors) return {};
-    growth.samples.push_back(point->setting.samples);
-    samples.push_back(static_cast<double>(point->setting.samples));
+    growth.samples.push_back(point->setting->samples);
+    samples.push_back(static_cast<double>(point->setting->samples));
     operations.push_back(static_cast<double>(point->cost.operations));
     seconds.push_back(point->seconds);
   }
@@ -137,23 +136,43 @@ void add_growth(std::vector<Growth>& all, const Points& points) {
   if (found.size() > 1) all.push_back(found.back());
 }
 
+/// The orders of all sweeps; the points of a sweep stand together.
+void add_orders(std::vector<ObservedOrder>& orders, const std::vector<StudyPoint>& points) {
+  for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+    Points sweep;
+    for (; end < points.size() && points[end].solver == points[first].solver &&
+           *points[end].setting == *points[first].setting;
+         ++end) {
+      sweep.push_back(&points[end]);
+    }
+    if (sweep.front()->tolerance) add_order(orders, sweep);
+  }
+}
+
+bool has_three_sizes(const std::vector<StudyPoint>& points) {
+  std::set<Eigen::Index> sizes;
+  for (const StudyPoint& point : points) {
+    sizes.insert(point.setting->samples);
+    if (sizes.size() == 3) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 StudySummary summarize(const std::vector<StudyPoint>& points) {
   StudySummary summary;
-  Points all;
   for (const StudyPoint& point : points) {
-    all.push_back(&point);
     if (point.tolerance || !point.errors || point.solver == "spectral") continue;  // the reference
     summary.floors.push_back({point.setting, point.solver, point.errors->displacement_l2_max,
                               point.errors->energy_norm_max});
   }
-  const auto sweep = [](const StudyPoint& p) { return std::pair(p.solver, p.setting); };
-  for (const Points& group : grouped(all, sweep)) {
-    if (group.front()->tolerance) add_order(summary.orders, group);
-  }
+  add_orders(summary.orders, points);
+  if (!has_three_sizes(points)) return summary;
+  Points all;
+  for (const StudyPoint& point : points) all.push_back(&point);
   const auto sizes = [](const StudyPoint& p) {
-    return std::pair(p.solver, without_size(p.setting));
+    return std::pair(std::string_view(p.solver), without_size(*p.setting));
   };
   for (const Points& group : grouped(all, sizes)) add_growth(summary.growth, group);
   return summary;
@@ -161,10 +180,12 @@ StudySummary summarize(const std::vector<StudyPoint>& points) {
 
 std::vector<StudySetting> settings_of(const std::vector<StudyPoint>& points) {
   std::vector<StudySetting> settings;
+  std::set<StudySetting> seen;
+  const StudySetting* last = nullptr;
   for (const StudyPoint& point : points) {
-    if (std::ranges::find(settings, point.setting) == settings.end()) {
-      settings.push_back(point.setting);
-    }
+    if (point.setting.get() == last) continue;
+    last = point.setting.get();
+    if (seen.insert(*last).second) settings.push_back(*last);
   }
   return settings;
 }

@@ -1,17 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "verification/study/power_fit.hpp"
-#include "verification/study/solver_study.hpp"
+#include "verification/study/study_point.hpp"
 
 namespace wavecurve::verification {
 
 /// Where the curve of a solver in closed form ends: the error of its model, which no tolerance
 /// makes smaller.
 struct ErrorFloor {
-  StudySetting setting;
+  std::shared_ptr<const StudySetting> setting;
   std::string solver;
   double displacement_l2_max = 0, energy_norm_max = 0;
 };
@@ -21,7 +22,7 @@ struct ErrorFloor {
 /// the cost falls by at least a tenth (else stability sets the step, not the tolerance), and the
 /// order between neighbours stays within a third of the median. None if these are fewer than four.
 struct ObservedOrder {
-  StudySetting setting;
+  std::shared_ptr<const StudySetting> setting;
   std::string solver;
   std::vector<double> tolerances;  ///< of the points fitted, from coarse to fine
   PowerFit fit;                    ///< of the error, as 1 / evaluations ^ exponent
@@ -31,7 +32,7 @@ struct ObservedOrder {
 /// three sizes or more, at the coarsest and at the finest tolerance solved at all of them: of
 /// explicit solvers stability sets the steps at the one, accuracy at the other.
 struct Growth {
-  StudySetting setting;  ///< the largest
+  std::shared_ptr<const StudySetting> setting;  ///< the largest
   std::string solver;
   std::optional<double> tolerance;
   std::vector<Eigen::Index> samples;
@@ -44,6 +45,7 @@ struct StudySummary {
   std::vector<Growth> growth;
 };
 
+/// The points of one sweep must stand together, as points_of() has them.
 StudySummary summarize(const std::vector<StudyPoint>& points);
 
 /// The settings, in the order of the points.

@@ -1,6 +1,7 @@
 #include "verification/study/study_summary.hpp"
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -62,8 +63,10 @@ TEST(StudySummary, FitsTheGrowthAtTheOuterTolerancesSolvedAtAllSizes) {
     for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4}) {
       const long long cost = tolerance == 1e-1 ? samples : samples * samples;
       StudyPoint point = point_of("coupled", tolerance, cost, 1e-3);
-      point.setting.samples = samples;
-      point.setting.levels = static_cast<int>(std::log2(samples));
+      StudySetting setting;
+      setting.samples = samples;
+      setting.levels = static_cast<int>(std::log2(samples));
+      point.setting = std::make_shared<const StudySetting>(setting);
       if (tolerance == 1e-4 && samples == 64) point.errors.reset();
       points.push_back(point);
     }

@@ -60,6 +60,8 @@ struct InitialValueProblem {
 struct Cost {
   long long evaluations = 0;  ///< of the right-hand side, or solutions of a linear system
   long long operations = 0;   ///< additions and multiplications, counted by formula
+
+  friend bool operator==(const Cost&, const Cost&) = default;
 };
 
 /// One state for each of the times. A massless curve has no velocity of its own; there it is that

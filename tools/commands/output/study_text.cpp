@@ -1,9 +1,12 @@
 #include "tools/commands/output/study_text.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "wavecurve/filters/detail/characters.hpp"
-#include "wavecurve/io/files/detail/csv.hpp"
+
+#include "reports/study_overview.hpp"
 
 namespace wavecurve::tools {
 
@@ -40,19 +43,40 @@ std::string setting_text(const StudySetting& setting, const std::vector<StudyPoi
           "solver", "tolerance", "L2 max", "L2 final", "maximum", "velocity", "energy", "drift",
           "evals", "operat.", "seconds");
   for (const StudyPoint& point : points) {
-    if (point.setting == setting) text += point_text(point);
+    if (*point.setting == setting) text += point_text(point);
   }
   for (const ErrorFloor& floor : summary.floors) {
-    if (!(floor.setting == setting)) continue;
+    if (*floor.setting != setting) continue;
     text +=
         fmt::format("{}: floor {:.3g}, its model error\n", floor.solver, floor.displacement_l2_max);
   }
   for (const ObservedOrder& order : summary.orders) {
-    if (!(order.setting == setting)) continue;
+    if (*order.setting != setting) continue;
     text += fmt::format("{}: observed order {}, {} points, {:.3g} to {:.3g}\n", order.solver,
                         interval_text(order.fit), order.fit.points, order.tolerances.front(),
                         order.tolerances.back());
   }
+  return text;
+}
+
+/// Its title, then its columns, each as wide as it needs; nothing if it has no rows.
+std::string table_text(const Table& table) {
+  if (table.rows.empty()) return "";
+  std::vector<std::size_t> widths(table.columns.size());
+  const auto widen = [&](const std::vector<std::string>& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  };
+  widen(table.columns);
+  for (const auto& row : table.rows) widen(row);
+  const auto line = [&](const std::vector<std::string>& row) {
+    std::string text;
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      text += fmt::format("{:<{}}  ", printable(row[i]), widths[i]);
+    }
+    return text + printable(row.back()) + "\n";
+  };
+  std::string text = "\n" + table.caption + "\n" + line(table.columns);
+  for (const auto& row : table.rows) text += line(row);
   return text;
 }
 
@@ -64,7 +88,17 @@ std::string study_text(const std::vector<StudyPoint>& points, const StudySummary
       "motion,\nrelative to the initial state; of a closed form (no tolerance) they are those of "
       "its model,\nwhich no tolerance makes smaller; seconds of one thread's processor time, least "
       "of up to 5 runs\n";
-  for (const StudySetting& setting : settings_of(points)) {
+  const std::vector<StudySetting> settings = settings_of(points);
+  if (settings.size() > reports::most_settings_shown) {
+    text += fmt::format("\n{} points of {} settings\n", points.size(), settings.size());
+    for (const Table& table :
+         {reports::accuracy_map(points).data, reports::extremes_table(points, summary),
+          reports::orders_overview(summary), reports::growth_overview(summary)}) {
+      text += table_text(table);
+    }
+    return text;
+  }
+  for (const StudySetting& setting : settings) {
     text += "\n" + setting_text(setting, points, summary);
   }
   for (const Growth& growth : summary.growth) {
@@ -72,31 +106,6 @@ std::string study_text(const std::vector<StudyPoint>& points, const StudySummary
         fmt::format("{} at {}, N = {} to {}: operations N^{}, seconds N^{}\n", growth.solver,
                     tolerance_text(growth.tolerance), growth.samples.front(), growth.samples.back(),
                     interval_text(growth.operations), interval_text(growth.seconds));
-  }
-  return text;
-}
-
-std::string study_csv(const std::vector<StudyPoint>& points) {
-  std::string text =
-      "solver,filter,samples,levels,shape,s1,s2,tolerance,displacement_l2_max,"
-      "displacement_l2_final,maximum_norm_max,maximum_norm_final,velocity_l2_max,"
-      "velocity_l2_final,energy_norm_max,energy_norm_final,energy_drift,evaluations,operations,"
-      "seconds,status\n";
-  for (const StudyPoint& point : points) {
-    const StudySetting& s = point.setting;
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},", point.solver, io::csv_field(s.filter), s.samples,
-                    s.levels, io::csv_field(s.shape), s.mass_damping, s.stiffness_damping,
-                    point.tolerance ? fmt::format("{}", *point.tolerance) : "");
-    if (const auto& e = point.errors) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},ok\n", e->displacement_l2_max,
-                          e->displacement_l2_final, e->maximum_norm_max, e->maximum_norm_final,
-                          e->velocity_l2_max, e->velocity_l2_final, e->energy_norm_max,
-                          e->energy_norm_final, e->energy_drift, point.cost.evaluations,
-                          point.cost.operations, point.seconds);
-    } else {
-      text += ",,,,,,,,,,,,failed\n";
-    }
   }
   return text;
 }

@@ -8,11 +8,9 @@
 namespace wavecurve::tools {
 
 /// The points of a study for a terminal: a table for each setting, with the floors of the models
-/// and the observed orders beneath, then the growth of the costs.
+/// and the observed orders beneath, then the growth of the costs. Where there are too many settings
+/// for that (study_overview.hpp): the solvers' errors over all of them, the best, and the worst.
 std::string study_text(const std::vector<verification::StudyPoint>& points,
                        const verification::StudySummary& summary);
-
-/// A line of column names, then a line for each point, fields as in RFC 4180.
-std::string study_csv(const std::vector<verification::StudyPoint>& points);
 
 }  // namespace wavecurve::tools

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "wavecurve/certified/detail/ball_matrix.hpp"
 #include "wavecurve/certified/detail/families/family.hpp"
 #include "wavecurve/certified/detail/polynomial.hpp"
 #include "wavecurve/certified/linear_solve.hpp"
@@ -64,18 +68,21 @@ class CoifletSystem {
     return values;
   }
 
+  /// dF_j / df_k = c_{k+2j} + c_{k-2j}, c_s = sum_i d_i m_{i+s}, d the direction of f.
   SquareMatrix<Ball> jacobian(const std::vector<Ball>& f) const {
     const Filter<Ball> m = mask(f);
+    Filter<Ball> c{m.first_index - direction_.last_index(), {}};
+    for (int s = c.first_index; s + direction_.first_index <= m.last_index(); ++s) {
+      Ball sum(0);
+      for (int i = direction_.first_index; i <= direction_.last_index(); ++i) {
+        sum += direction_[i] * m[i + s];
+      }
+      c.taps.push_back(sum);
+    }
     SquareMatrix<Ball> derivative(unknowns());
     for (int row = 0; row < unknowns(); ++row) {
       const int lag = 2 * (K_ + row);
-      for (int k = 0; k < unknowns(); ++k) {
-        Ball sum(0);
-        for (int i = direction_.first_index; i <= direction_.last_index(); ++i) {
-          sum += direction_[i] * (m[i + k + lag] + m[i + k - lag]);
-        }
-        derivative(row, k) = sum;
-      }
+      for (int k = 0; k < unknowns(); ++k) derivative(row, k) = c[k + lag] + c[k - lag];
     }
     return derivative;
   }
@@ -94,17 +101,54 @@ std::vector<Ball> newton_step(const CoifletSystem& system, const std::vector<Bal
   return next;
 }
 
-/// Newton from f = 0 on midpoints, until the steps no longer shrink.
+/// x -= M y on midpoints, at the working precision. The binary exponent of the largest step.
+long subtract_product(std::vector<Ball>& x, const BallMatrix& m, const std::vector<Ball>& y) {
+  const long n = static_cast<long>(x.size());
+  BallMatrix right(n, 1), step(n, 1);
+  for (long i = 0; i < n; ++i) right.set(i, 0, y[static_cast<std::size_t>(i)].midpoint());
+  arb_mat_approx_mul(step.value, m.value, right.value, WorkingPrecision::bits());
+  long exponent = std::numeric_limits<long>::min();
+  for (long i = 0; i < n; ++i) {
+    Ball& value = x[static_cast<std::size_t>(i)];
+    value = (value - step.get(i, 0)).midpoint();
+    if (!arb_is_zero(arb_mat_entry(step.value, i, 0))) {
+      exponent = std::max(exponent, ARF_EXP(arb_midref(arb_mat_entry(step.value, i, 0))));
+    }
+  }
+  return exponent;
+}
+
+/// An approximate inverse of the Jacobian at f.
+BallMatrix inverse_jacobian(const CoifletSystem& system, const std::vector<Ball>& f) {
+  BallMatrix inverse(system.unknowns(), system.unknowns());
+  if (!arb_mat_approx_inv(inverse.value, BallMatrix(system.jacobian(f)).value,
+                          WorkingPrecision::bits())) {
+    throw std::domain_error("the Jacobian of the coiflet system is not regular");
+  }
+  return inverse;
+}
+
+/// Newton from f = 0 on midpoints, at a precision that leaves about 64 bits of what the conditioning
+/// takes; then the same steps at the working precision, with the inverse of the last Jacobian, each of
+/// which multiplies the error by that of this inverse, until they no longer shrink.
 std::vector<Ball> approximate_solution(const CoifletSystem& system) {
   std::vector<Ball> f(static_cast<std::size_t>(system.unknowns()), Ball(0));
-  constexpr int first_steps = 7;  // to the quadratic regime for every order; then bits double
-  int steps = first_steps;
-  for (long bits = 32; bits < WorkingPrecision::bits(); bits *= 2) ++steps;
-  for (int i = 0; i < steps; ++i) {
-    f = newton_step(system, f, f);
-    for (Ball& value : f) value = value.midpoint();
+  std::optional<BallMatrix> inverse;
+  {
+    const WorkingPrecision rough(std::min(WorkingPrecision::bits(), 64 + 6L * system.unknowns()));
+    constexpr int most_steps = 16;
+    constexpr long small_step = -32;  // the square of it is far below what is kept
+    for (int i = 0; i < most_steps; ++i) {
+      inverse.emplace(inverse_jacobian(system, f));
+      if (subtract_product(f, *inverse, system.residual(f)) < small_step) break;
+    }
   }
-  return f;
+  long before = std::numeric_limits<long>::max();
+  for (;;) {
+    const long exponent = subtract_product(f, *inverse, system.residual(f));
+    if (exponent >= before - 1) return f;
+    before = exponent;
+  }
 }
 
 /// The enclosure of the one solution in a box around the approximation, by interval Newton:
