@@ -2,8 +2,9 @@
 # Tracks performance: installs what is missing, builds, runs `wavecurve bench`.
 set -euo pipefail
 
-usage='usage: tools/bench.sh record|compare|self-test|check|history|peers [arguments of "wavecurve bench"]
+usage='usage: tools/bench.sh record|backfill|compare|self-test|check|history|peers [arguments of "wavecurve bench"]
   record [REVISION]      measures a revision (the working tree) and adds it to benchmarks/history/
+  backfill [--count 20]  instruction counts and accuracy of past revisions, evenly spaced
   compare BEFORE [AFTER] two revisions, records or build folders, AFTER being the working tree
   self-test [--short]    tries whether the tracking is silent and finds what it must
   check [--bless]        instruction counts and accuracy against benchmarks/baseline/, or blesses them
@@ -16,7 +17,7 @@ case ${1-} in
     printf '%s\n' "$usage"
     exit 0
     ;;
-  record | compare | self-test | check | history | peers) ;;
+  record | backfill | compare | self-test | check | history | peers) ;;
   *)
     printf '%s\n' "$usage" >&2
     exit 2

@@ -1,8 +1,11 @@
 #include "benchmarks/tracking/record.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <ctime>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "wavecurve/io/files/detail/folder_lock.hpp"
 #include "wavecurve/io/files/detail/json_place.hpp"
@@ -43,6 +46,20 @@ fs::path append_record(const fs::path& history, const Json& record) {
   return path;
 }
 
+namespace {
+
+/// Since 1970, of a date such as 2026-01-31T12:00:00+02:00 or ...Z; of another text 0.
+long long seconds_of(const std::string& date) {
+  std::tm parts{};
+  int hours = 0, minutes = 0;
+  const char* offset = ::strptime(date.c_str(), "%Y-%m-%dT%H:%M:%S", &parts);
+  if (!offset) return 0;
+  if (std::sscanf(offset, "%3d:%2d", &hours, &minutes) == 2 && *offset == '-') minutes = -minutes;
+  return static_cast<long long>(::timegm(&parts)) - 3600LL * hours - 60LL * minutes;
+}
+
+}  // namespace
+
 History read_history(const fs::path& history) {
   History result;
   if (!fs::is_directory(history)) return result;
@@ -55,8 +72,13 @@ History read_history(const fs::path& history) {
     }
   }
   std::ranges::sort(result.refused);
-  std::ranges::sort(result.records, {},
-                    [](const Json& record) { return record.value("date", ""); });
+  std::ranges::sort(result.records, {}, [](const Json& record) {
+    const std::string date = record.value("date", "");
+    const auto revision = record.find("revision");
+    const bool is_dated = revision != record.end() && revision->is_object() &&
+                          revision->contains("date") && revision->at("date").is_string();
+    return std::pair(seconds_of(is_dated ? revision->at("date").get<std::string>() : date), date);
+  });
   return result;
 }
 

@@ -24,7 +24,7 @@ Json read_record(const std::filesystem::path& path);
 std::filesystem::path append_record(const std::filesystem::path& history, const Json& record);
 
 struct History {
-  std::vector<Json> records;         ///< by date
+  std::vector<Json> records;         ///< by the date of the revision, then of the record
   std::vector<std::string> refused;  ///< what read_record says of the files that are none
 };
 

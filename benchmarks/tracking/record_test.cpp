@@ -46,6 +46,22 @@ TEST_F(RecordTest, IsAppendedAndReadAgain) {
   EXPECT_TRUE(read_history(folder_ / "none").records.empty());
 }
 
+TEST_F(RecordTest, StandsWhereItsRevisionDoesWheneverItWasMeasured) {
+  const auto add = [&](const char* measured, const char* committed) {
+    Json one = record(measured);
+    one["revision"]["date"] = committed;
+    append_record(folder_, one);
+  };
+  add("2026-03-01T00:00:00Z", "2026-01-05T01:30:00+02:00");  // of the 4th, in UTC
+  add("2026-03-02T00:00:00Z", "2026-01-04T22:00:00+00:00");
+  add("2026-03-03T00:00:00Z", "2026-01-04T19:00:00-04:00");
+  append_record(folder_, record("2026-01-05T00:00:00Z"));
+  std::vector<std::string> dates;
+  for (const Json& one : read_history(folder_).records) dates.push_back(one.at("date"));
+  EXPECT_EQ(dates, (std::vector<std::string>{"2026-03-02T00:00:00Z", "2026-03-03T00:00:00Z",
+                                             "2026-03-01T00:00:00Z", "2026-01-05T00:00:00Z"}));
+}
+
 TEST_F(RecordTest, NeverTakesThePlaceOfAnother) {
   const fs::path first = append_record(folder_, record());
   Json other = record();

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
+#include "benchmarks/tracking/backfill.hpp"
 #include "benchmarks/tracking/compare.hpp"
 #include "benchmarks/tracking/make_record.hpp"
 #include "benchmarks/tracking/self_testing.hpp"
@@ -90,6 +92,53 @@ void add_record(CLI::App& bench) {
                    "Folder of the records; by default benchmarks/history of the clone")
       ->type_name("DIR");
   command->callback([arguments] { run_record(*arguments); });
+}
+
+struct BackfillArguments {
+  long count = 20;
+  bool is_timed = false;
+  fs::path history;
+};
+
+void run_backfill(const BackfillArguments& arguments) {
+  const fs::path history = given_or_of_clone(arguments.history, "benchmarks/history");
+  RecordOptions options;
+  options.is_timed = options.has_limits = arguments.is_timed;
+  std::size_t recorded = 0, skipped = 0;
+  for (const std::string& revision :
+       revisions_to_record(clone(), history, static_cast<std::size_t>(arguments.count))) {
+    try {
+      const Side side = side_of(revision, Programs::kernels);
+      append_record(history, make_record(*side.build, options, say));
+      ++recorded;
+      stop_saying();
+      print_text(fmt::format("recorded {} {}\n", revision.substr(0, 10),
+                             printable(side.build->revision.at("subject").get<std::string>())));
+    } catch (const std::runtime_error& error) {
+      ++skipped;
+      stop_saying();
+      print_message(fmt::format("skipped {}: {}", revision.substr(0, 10), error.what()));
+    }
+    std::fflush(stdout);
+  }
+  print_text(fmt::format("{} recorded, {} skipped\n", recorded, skipped));
+}
+
+void add_backfill(CLI::App& bench) {
+  auto arguments = std::make_shared<BackfillArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "backfill",
+      "Add records of past revisions to the history: of those that changed the library or the "
+      "benchmarks, evenly spaced. What does not build is skipped, and named");
+  command->add_option("--count", arguments->count, "How many revisions at most")
+      ->check(whole_number_from(1, 10000))
+      ->capture_default_str();
+  command->add_flag("--times", arguments->is_timed, "Also time the marked kernels");
+  command
+      ->add_option("--history", arguments->history,
+                   "Folder of the records; by default benchmarks/history of the clone")
+      ->type_name("DIR");
+  command->callback([arguments] { run_backfill(*arguments); });
 }
 
 struct CompareArguments {
@@ -250,6 +299,7 @@ void add_bench_command(CLI::App& app, ExitCode& exit_code) {
       "bench", "Track performance and accuracy (docs/how-to-read-benchmarks.md)");
   bench->require_subcommand(1);
   add_record(*bench);
+  add_backfill(*bench);
   add_compare(*bench, exit_code);
   add_self_test(*bench, exit_code);
   add_check(*bench, exit_code);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
+#include <initializer_list>
 #include <sched.h>
 #include <stdexcept>
 #include <string>
@@ -26,8 +27,11 @@ int number_of(std::initializer_list<const char*> variables, int otherwise) {
   return otherwise;
 }
 
-/// As Open MPI, and MPICH with its relatives, tell their processes.
-int started_count() { return number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1); }
+/// As Open MPI, and MPICH with its relatives, tell their processes; Slurm by PMIx tells only the rank.
+int started_count() {
+  if (const int count = number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 0); count > 0) return count;
+  return std::getenv("PMIX_RANK") ? number_of({"SLURM_STEP_NUM_TASKS"}, 1) : 1;
+}
 
 /// Beside the program in the build tree, in the library folder where it is installed.
 fs::path module_path() {

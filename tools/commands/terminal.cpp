@@ -11,9 +11,10 @@ namespace wavecurve::tools {
 
 namespace {
 
-/// Whether another process of the same mpirun (Open MPI's, or MPICH's) says what there is to say.
+/// Whether another process of the same mpirun (Open MPI's, MPICH's, or Slurm's) says what there is to
+/// say.
 bool is_silent_rank() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK"}) {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"}) {
     if (const char* rank = std::getenv(name)) return std::string_view(rank) != "0";
   }
   return false;

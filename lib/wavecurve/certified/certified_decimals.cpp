@@ -1,5 +1,6 @@
 #include "wavecurve/certified/certified_decimals.hpp"
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -62,8 +63,21 @@ std::optional<CoefficientDecimals> rounded(const Sequences<Scalar>& numbers, Rou
   return decimals;
 }
 
-CoefficientDecimals from_enclosures(const FilterDefinition& definition,
-                                    const DecimalsRequest& request) {
+/// The same definition, which gives a bank that it has made before if that is as accurate.
+FilterDefinition remembering(FilterDefinition definition) {
+  definition.bank = [make = definition.bank, most = std::make_shared<FilterBank<Ball>>(),
+                     most_bits = std::make_shared<long>(-1)](long bits) {
+    if (bits > *most_bits) {
+      *most = make(bits);
+      *most_bits = bits;
+    }
+    return *most;
+  };
+  return definition;
+}
+
+CoefficientDecimals from_enclosures(const FilterDefinition& of, const DecimalsRequest& request) {
+  const FilterDefinition definition = remembering(of);
   std::optional<CoefficientDecimals> decimals;
   refine(bits_for_digits(request.digits), [&](long bits) {
     const auto coefficients = connection_coefficients(definition, request.p, request.q, bits);

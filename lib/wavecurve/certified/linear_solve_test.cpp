@@ -133,6 +133,33 @@ TEST(LinearSolve, ProvesNothingOfAnEnclosureWithASingularMember) {
   }
 }
 
+TEST(LinearSolve, LargeSystemsLoseNoMoreThanTheirConditionTakes) {
+  // Hilbert's matrix and 2^-c on its diagonal: of condition about 2^c, up to that at which an inverse in
+  // double precision says nothing any more.
+  constexpr int n = 30;
+  constexpr long bits = 400;
+  const WorkingPrecision precision(bits);
+  for (int c = 0; c <= 44; c += 4) {
+    System<Ball> system{SquareMatrix<Ball>(n), {}};
+    for (int i = 0; i < n; ++i) {
+      Rational sum(0);
+      for (int j = 0; j < n; ++j) {
+        const Rational entry = Rational(1, i + j + 1) + (i == j ? Rational::power_of_two(-c) : 0);
+        system.a(i, j) = Ball(entry);
+        sum += entry * Rational(j + 1);
+      }
+      system.b.emplace_back(sum);
+    }
+    const auto x = solve(system.a, system.b);
+    ASSERT_TRUE(x) << c;
+    for (int j = 0; j < n; ++j) {
+      const Ball& value = (*x)[static_cast<std::size_t>(j)];
+      EXPECT_TRUE(value.contains(Rational(j + 1))) << c;
+      EXPECT_GT(value.accuracy_bits(), bits / 2) << c;  // elimination on enclosures loses some more
+    }
+  }
+}
+
 TEST(LinearSolve, IsTightForDominantDiagonals) {
   RandomNumbers random;
   const WorkingPrecision precision(200);

@@ -24,6 +24,9 @@ class VerifiedInverse {
   /// Empty if delta < 1 could not be proved.
   static std::optional<VerifiedInverse> of(const Eigen::MatrixXd& matrix, double row_error);
 
+  /// Each step of solve() leaves this part of the error at most.
+  double delta() const { return delta_; }
+
   /// x with B x = b. residual(x') is r, as enclosures at the working precision, which is what
   /// bounds the accuracy of x.
   std::vector<Ball> solve(

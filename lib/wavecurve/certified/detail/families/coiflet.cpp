@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -101,19 +100,21 @@ std::vector<Ball> newton_step(const CoifletSystem& system, const std::vector<Bal
   return next;
 }
 
-/// x -= M y on midpoints, at the working precision. The binary exponent of the largest step.
-long subtract_product(std::vector<Ball>& x, const BallMatrix& m, const std::vector<Ball>& y) {
+/// x -= M y on midpoints, at the working precision. The binary exponent of the largest step; none if all
+/// are zero.
+std::optional<long> subtract_product(std::vector<Ball>& x, const BallMatrix& m,
+                                     const std::vector<Ball>& y) {
   const long n = static_cast<long>(x.size());
   BallMatrix right(n, 1), step(n, 1);
   for (long i = 0; i < n; ++i) right.set(i, 0, y[static_cast<std::size_t>(i)].midpoint());
   arb_mat_approx_mul(step.value, m.value, right.value, WorkingPrecision::bits());
-  long exponent = std::numeric_limits<long>::min();
+  std::optional<long> exponent;
   for (long i = 0; i < n; ++i) {
     Ball& value = x[static_cast<std::size_t>(i)];
     value = (value - step.get(i, 0)).midpoint();
-    if (!arb_is_zero(arb_mat_entry(step.value, i, 0))) {
-      exponent = std::max(exponent, ARF_EXP(arb_midref(arb_mat_entry(step.value, i, 0))));
-    }
+    arf_srcptr middle = arb_midref(arb_mat_entry(step.value, i, 0));
+    if (!arf_is_zero(middle))
+      exponent = std::max(exponent.value_or(ARF_EXP(middle)), ARF_EXP(middle));
   }
   return exponent;
 }
@@ -140,13 +141,13 @@ std::vector<Ball> approximate_solution(const CoifletSystem& system) {
     constexpr long small_step = -32;  // the square of it is far below what is kept
     for (int i = 0; i < most_steps; ++i) {
       inverse.emplace(inverse_jacobian(system, f));
-      if (subtract_product(f, *inverse, system.residual(f)) < small_step) break;
+      const auto exponent = subtract_product(f, *inverse, system.residual(f));
+      if (!exponent || *exponent < small_step) break;
     }
   }
-  long before = std::numeric_limits<long>::max();
-  for (;;) {
-    const long exponent = subtract_product(f, *inverse, system.residual(f));
-    if (exponent >= before - 1) return f;
+  for (std::optional<long> before;;) {
+    const auto exponent = subtract_product(f, *inverse, system.residual(f));
+    if (!exponent || (before && *exponent >= *before - 1)) return f;
     before = exponent;
   }
 }
