@@ -29,7 +29,7 @@ class StudyGrounds {
   /// that is the circle, std::domain_error for a filter that is not smooth enough.
   explicit StudyGrounds(std::vector<std::shared_ptr<const StudySetting>> settings);
 
-  /// Of the setting at that place.
+  /// The fingerprint of the setting at that place.
   std::uint64_t fingerprint(std::size_t setting) const { return fingerprints_[setting]; }
 
   /// The ground of a setting. Throws std::runtime_error if the setting names a file that has become

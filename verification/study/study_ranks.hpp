@@ -53,7 +53,7 @@ class Team {
 std::vector<StudyPoint> run_study(Team& team, const StudyPlan& plan, const StudyHooks& hooks = {},
                                   const Shard& shard = {});
 
-/// What the others do meanwhile, with the same plan and shard. Of the hooks only the stand-in counts.
+/// What the others do meanwhile, with the same plan and shard. The stand-in is the only hook that counts.
 void follow(Ranks& ranks, const StudyPlan& plan, const StudyHooks& hooks = {},
             const Shard& shard = {});
 
