@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -114,17 +115,24 @@ std::vector<StudyPoint> computed(const StudyPlan& plan, const CompareOptions& op
               : run_study(plan, hooks, options.shard);
 }
 
+/// What the processes but the first do. Whatever keeps one of them away is for the first to say.
+void take_part(Ranks& ranks, const StudyPlan& plan, const CompareOptions& options) {
+  try {
+    if (options.one_a_core) keep_to_a_core(ranks);
+  } catch (const std::exception& error) {
+    return decline(ranks, error.what());
+  }
+  follow(ranks, plan, {}, options.shard);
+}
+
 void compare_solvers(const CompareOptions& given) {
   const CompareOptions options = completed(given);
   const StudyPlan plan = plan_of(options);
   const std::unique_ptr<Ranks> ranks = started_ranks();
-  if (ranks && options.one_a_core) keep_to_a_core(*ranks);
-  if (ranks && ranks->rank() != 0) {
-    follow(*ranks, plan, {}, options.shard);
-    return;
-  }
+  if (ranks && ranks->rank() != 0) return take_part(*ranks, plan, options);
   std::optional<Team> team;
   if (ranks) team.emplace(*ranks);
+  if (ranks && options.one_a_core) keep_to_a_core(*ranks);
   std::optional<io::OutputFolder> output;
   if (!options.directory.empty()) output.emplace(options.directory);
   const std::vector<StudyPoint> points = computed(plan, options, team);

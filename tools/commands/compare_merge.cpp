@@ -1,5 +1,6 @@
 #include "tools/commands/compare_merge.hpp"
 
+#include <algorithm>
 #include <list>
 #include <optional>
 #include <stdexcept>
@@ -73,7 +74,10 @@ ExitCode merge_studies(const std::vector<std::string>& folders,
   };
   StudyJournal& joined_journal = add(directory);
   for (const std::string& folder : folders) {
-    if (!std::filesystem::equivalent(folder, directory)) add(folder);
+    const bool is_there = std::ranges::any_of(sources, [&](const NamedSource& source) {
+      return std::filesystem::equivalent(folder, source.name);
+    });
+    if (!is_there) add(folder);
   }
   const JoinedStudy joined = join_studies(plan, sources);
   complete(joined_journal, joined.points);

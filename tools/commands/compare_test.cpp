@@ -156,7 +156,8 @@ TEST_F(CompareCommand, JoinsShardsToTheWhole) {
   const ProgramRun part = wavecurve("compare --merge part1 part3 -o joined");
   EXPECT_EQ(part.exit_code, 1);
   EXPECT_NE(part.err.find(" points are missing; "), std::string::npos) << part.err;
-  const ProgramRun joined = wavecurve("compare --merge part1 part2 part3 -o joined --format json");
+  const ProgramRun joined =
+      wavecurve("compare --merge part1 part2 part3 part1/. joined -o joined --format json");
   EXPECT_EQ(joined.exit_code, 0) << joined.err;
   EXPECT_EQ(joined.out, io::read_file(folder_ / "joined" / "compare.json"));
   EXPECT_EQ(without_times(folder_ / "joined" / "compare.json"),

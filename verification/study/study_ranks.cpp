@@ -192,9 +192,13 @@ void follow(Ranks& ranks, const StudyPlan& plan, const StudyHooks& hooks, const 
                                  : answer(lacks, place, lack));
     }
   } catch (const std::exception& error) {
-    ranks.send(0, answer(fails, 0, error.what()));
-    receive(ranks);  // to stop
+    decline(ranks, error.what());
   }
+}
+
+void decline(Ranks& ranks, const std::string& why) {
+  ranks.send(0, answer(fails, 0, why));
+  receive(ranks);  // to stop
 }
 
 }  // namespace wavecurve::verification

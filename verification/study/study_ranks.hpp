@@ -57,4 +57,8 @@ std::vector<StudyPoint> run_study(Team& team, const StudyPlan& plan, const Study
 void follow(Ranks& ranks, const StudyPlan& plan, const StudyHooks& hooks = {},
             const Shard& shard = {});
 
+/// What another process does that cannot take part: tells rank 0 why, which throws it, and waits to be
+/// sent home.
+void decline(Ranks& ranks, const std::string& why);
+
 }  // namespace wavecurve::verification

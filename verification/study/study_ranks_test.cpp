@@ -134,6 +134,23 @@ TEST(StudyRanks, EndWithWhatAnyOfThemThrows) {
   }
 }
 
+TEST(StudyRanks, EndWithWhyOneDeclines) {
+  Post post;
+  post.boxes.resize(2);
+  const std::jthread other([&post] {
+    ThreadRanks ranks(post, 1);
+    decline(ranks, "no core is left");
+  });
+  ThreadRanks ranks(post, 0);
+  Team team(ranks);
+  try {
+    run_study(team, small_plan());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "process 1: no core is left");
+  }
+}
+
 TEST(StudyRanks, WhatAMachineLackedIsNoResult) {
   StudyHooks hooks;
   std::atomic<int> calls = 0;

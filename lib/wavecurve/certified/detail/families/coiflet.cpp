@@ -113,8 +113,8 @@ std::optional<long> subtract_product(std::vector<Ball>& x, const BallMatrix& m,
     Ball& value = x[static_cast<std::size_t>(i)];
     value = (value - step.get(i, 0)).midpoint();
     arf_srcptr middle = arb_midref(arb_mat_entry(step.value, i, 0));
-    if (!arf_is_zero(middle))
-      exponent = std::max(exponent.value_or(ARF_EXP(middle)), ARF_EXP(middle));
+    if (arf_is_zero(middle)) continue;
+    exponent = std::max(exponent.value_or(ARF_EXP(middle)), ARF_EXP(middle));
   }
   return exponent;
 }
@@ -129,8 +129,8 @@ BallMatrix inverse_jacobian(const CoifletSystem& system, const std::vector<Ball>
   return inverse;
 }
 
-/// Newton from f = 0 on midpoints, at a precision that leaves about 64 bits of what the conditioning
-/// takes; then the same steps at the working precision, with the inverse of the last Jacobian, each of
+/// Newton from f = 0 on midpoints, at a precision of which 64 bits are left when the conditioning has
+/// taken its 12 K; then the same steps at the working precision, with the inverse of the last Jacobian, each of
 /// which multiplies the error by that of this inverse, until they no longer shrink.
 std::vector<Ball> approximate_solution(const CoifletSystem& system) {
   std::vector<Ball> f(static_cast<std::size_t>(system.unknowns()), Ball(0));
