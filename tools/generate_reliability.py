@@ -93,7 +93,8 @@ def fuzzing(record):
 ## Fuzzers
 
 One for each reader and for the options of the commands (`*/fuzz/`), instrumented for addresses and undefined behaviour; each runs for some seconds
-as a test. *Found* are the defects that the campaign showed, all mended. {made(record)}
+as a test. Executions and defects found (all mended) are those of all campaigns, {record['seconds']:,} seconds a reader; the coverage is that of the
+last one. {made(record)}
 
 """ + table(["reader", "executions", "features covered", "found"], rows + [total])
 

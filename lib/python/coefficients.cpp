@@ -129,11 +129,12 @@ py::list quadrature_weights(const PythonFilter& filter, const std::string& first
 }
 
 py::object index_to_python(const verification::EntryIndex& index) {
-  if (index.is_pair) {
-    return py::make_tuple(static_cast<int>(index.first), static_cast<int>(index.second));
-  }
-  if (index.is_integer()) return py::int_(index.integer());
-  return py::str(index.text());
+  const bool is_whole = index.dyadic_level() == 0;
+  py::object first = is_whole ? py::object(py::int_(static_cast<int>(index.first)))
+                              : py::object(py::str(index.first_text()));
+  if (index.count == 1) return first;
+  if (index.count == 2) return py::make_tuple(first, index.second);
+  return py::make_tuple(first, index.second, index.third);
 }
 
 py::tuple quantity(const PythonFilter& filter, const std::string& text, int digits, int level,

@@ -16,6 +16,7 @@ void define_program(CLI::App& app, ExitCode& exit_code) {
   add_check_command(app, exit_code);
   add_identify_command(app, exit_code);
   add_stiffness_command(app, exit_code);
+  add_matrix_command(app, exit_code);
   add_morph_command(app, exit_code);
   add_describe_command(app, exit_code);
   add_distance_command(app, exit_code);

@@ -20,12 +20,13 @@
 #include "wavecurve/io/files/detail/json_text.hpp"
 #include "wavecurve/io/load_filter.hpp"
 
-#include "tools/commands/coefficients_operator.hpp"
-#include "tools/commands/coefficients_quantity.hpp"
+#include "tools/commands/coefficients/operator_output.hpp"
+#include "tools/commands/coefficients/quantity_output.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/input/number_option.hpp"
 #include "tools/commands/output/markup_table.hpp"
 #include "tools/commands/output/number_format.hpp"
+#include "verification/quantities/integral_expression.hpp"
 
 namespace wavecurve::tools {
 
@@ -175,8 +176,11 @@ std::optional<std::string> other_numbers(const CoefficientsOptions& options) {
                            {digits, options.level, options.moments.value_or(usual_moments)},
                            format);
   }
-  if (options.integral)
-    return integral_output(name, *options.integral, options.range, digits, format);
+  if (options.integral) {
+    IntegralRange range = options.range;
+    range.level = options.level;
+    return integral_output(name, *options.integral, range, digits, format);
+  }
   if (options.named_operator) {
     OperatorRange range = options.operator_range;
     range.period = options.range.period;
@@ -239,12 +243,14 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   command
       ->add_option("--on", options->range.on,
                    "A,B: integrate from A to B, integers or dyadic points, not over the line;\n"
-                   "\"phi(l) phi'(m)\", with a letter for every factor")
+                   "\"phi(l) phi'(m)\", with a letter for every factor. 0,x: from 0 to every x,\n"
+                   "which is the first index; \"phi'(l) phi\", with one factor without a letter")
       ->needs(integral)
       ->excludes(period);
   CLI::Option* level =
       command
-          ->add_option("--level", options->level, "Values of phi and psi at the points k / 2^LEVEL")
+          ->add_option("--level", options->level,
+                       "Values of phi and psi, or the ends x of --on 0,x, at k / 2^LEVEL")
           ->check(whole_number_from(0, certified::highest_dyadic_level))
           ->capture_default_str();
   CLI::Option* moments =
@@ -275,8 +281,10 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
   named_operator->excludes(quantity, integral, moments);
   integral->excludes(moments);
   command->callback([=] {
-    if (!level->empty() && quantity->empty()) {
-      throw std::invalid_argument("--level takes --quantity");
+    const bool has_points =
+        !quantity->empty() || (options->range.on && verification::is_up_to_x(*options->range.on));
+    if (!level->empty() && !has_points) {
+      throw std::invalid_argument("--level takes --quantity or --on 0,x");
     }
     if (!period->empty() && integral->empty() && named_operator->empty()) {
       throw std::invalid_argument("--period takes --integral or --operator");

@@ -161,6 +161,36 @@ TEST_F(CoefficientsCommand, OperatorsActOnPeriodicFunctions) {
             values("--integral \"phi' phi(l)\" --period 5"));
 }
 
+TEST_F(CoefficientsCommand, IntegralsFromZeroToEveryX) {
+  const json document = json::parse(
+      wavecurve("coefficients db3 --integral \"phi'(l) phi\" --on 0,x --level 1 --digits 15 "
+                "--format json")
+          .out);
+  EXPECT_EQ(document["on"], "0,x");
+  const json one = json::parse(
+      wavecurve("coefficients db3 --integral \"phi'(l) phi\" --on 0,3/2 --digits 15 --format json")
+          .out);
+  std::size_t found = 0;
+  for (const auto& entry : document["entries"]) {
+    for (const auto& alone : one["entries"]) {
+      if (entry["indices"] != json::array({"3/2", alone["indices"][0]})) continue;
+      EXPECT_EQ(entry["value"], alone["value"]);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 0U);
+  EXPECT_EQ(found, std::ranges::count_if(one["entries"],
+                                         [](const json& entry) { return entry["value"] != "0"; }));
+}
+
+TEST_F(CoefficientsCommand, SplinesHaveFractionsOfAnyNumberOfFactors) {
+  const json document = json::parse(
+      wavecurve("coefficients bspline2.2 --integral \"phi phi(l) phi(m)\" --format json").out);
+  for (const auto& entry : document["entries"]) {
+    EXPECT_TRUE(entry["exact"] == "1/2" || entry["exact"] == "1/12") << entry;
+  }
+}
+
 TEST_F(CoefficientsCommand, MomentsComeWithReproductionAndQuadrature) {
   const json document =
       json::parse(wavecurve("coefficients cdf9.7 --moments 3 --digits 12 --format json").out);
@@ -216,6 +246,10 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
                  "periodic factors take neither");
   expect_refusal("coefficients db4 --integral \"phi phi phi phi\" --period 4000",
                  "number of integrals");
+  expect_refusal("coefficients db4 --integral \"phi(l) phi(m)\" --on 0,x",
+                 "a factor without a letter");
+  expect_refusal("coefficients db4 --integral \"x phi(l) phi\" --on 0,x",
+                 "one of phi and psi at x or x - l");
   expect_refusal("coefficients db4 --operator laplace", "hilbert, fractional:S");
   expect_refusal("coefficients db4 --operator hilbert --period 20000", "from 1 to 16384");
   expect_refusal("coefficients db4 --operator hilbert --period 8 --up-to 3", "--period");
@@ -223,7 +257,7 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
   expect_refusal("coefficients db4 --operator fractional:x", "hilbert, fractional:S");
   expect_refusal("coefficients db4 --operator derivative:9", "from 0 to 8");
   expect_refusal("coefficients db2 --operator fractional:2.5", "but it must exceed 1.25");
-  expect_refusal("coefficients db4 --level 3", "--level takes --quantity");
+  expect_refusal("coefficients db4 --level 3", "--level takes --quantity or --on 0,x");
 }
 
 }  // namespace

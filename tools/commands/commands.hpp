@@ -32,6 +32,7 @@ void add_coefficients_command(CLI::App& app, ExitCode& exit_code);
 void add_check_command(CLI::App& app, ExitCode& exit_code);
 void add_identify_command(CLI::App& app, ExitCode& exit_code);
 void add_stiffness_command(CLI::App& app, ExitCode& exit_code);
+void add_matrix_command(CLI::App& app, ExitCode& exit_code);
 void add_morph_command(CLI::App& app, ExitCode& exit_code);
 void add_describe_command(CLI::App& app, ExitCode& exit_code);
 void add_distance_command(CLI::App& app, ExitCode& exit_code);

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -8,10 +7,7 @@
 #include "wavecurve/filters/detail/bad_value.hpp"
 #include "wavecurve/filters/detail/characters.hpp"
 #include "wavecurve/filters/detail/whole_numbers.hpp"
-#include "wavecurve/io/files/write_file.hpp"
 #include "wavecurve/io/load_filter.hpp"
-#include "wavecurve/io/matrix_market.hpp"
-#include "wavecurve/io/matrix_picture.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/spectrum.hpp"
@@ -19,6 +15,7 @@
 
 #include "tools/commands/commands.hpp"
 #include "tools/commands/input/number_option.hpp"
+#include "tools/commands/output/matrix_file.hpp"
 
 namespace wavecurve::tools {
 
@@ -29,14 +26,6 @@ struct StiffnessOptions {
   long samples = 64;
   int levels = -1;  ///< -1: all
 };
-
-void check_ending(const std::string& output) {
-  const std::string ending = std::filesystem::path(output).extension().string();
-  if (!output.empty() && ending != ".mtx" && ending != ".svg") {
-    throw std::invalid_argument(
-        must_be("output", output, "a file ending in .mtx (MatrixMarket) or .svg (picture)"));
-  }
-}
 
 void print_measures(const FilterBank<double>& bank, const Eigen::SparseMatrix<double>& k,
                     int levels) {
@@ -59,16 +48,13 @@ void print_spectrum(const ExtremeEigenvalues& ends, double first_vibration) {
              first_vibration);
 }
 
-std::string picture(const FilterBank<double>& bank, const Eigen::SparseMatrix<double>& k,
-                    int levels) {
-  const std::string title =
-      fmt::format("Stiffness K of {}, {} x {}, levels: {}", bank.name, k.rows(), k.cols(), levels);
-  return io::matrix_picture(
-      k, band_borders(k.rows(), levels),
-      {title,
-       fmt::format("Magnitudes of the entries in global-to-local order; {} of them are not zero.",
-                   k.nonZeros()),
-       "magnitude of the entry (e_0 = 1, unit interval)"});
+io::MatrixPictureText picture_text(const FilterBank<double>& bank,
+                                   const Eigen::SparseMatrix<double>& k, int levels) {
+  return {
+      fmt::format("Stiffness K of {}, {} x {}, levels: {}", bank.name, k.rows(), k.cols(), levels),
+      fmt::format("Magnitudes of the entries in global-to-local order; {} of them are not zero.",
+                  k.nonZeros()),
+      "magnitude of the entry (e_0 = 1, unit interval)"};
 }
 
 /// What a matrix holds, and its making takes, goes with its rows, its levels and the taps.
@@ -84,7 +70,7 @@ void check_work(const FilterBank<double>& bank, long samples, int levels) {
 }
 
 void run_stiffness(const StiffnessOptions& options) {
-  check_ending(options.output);
+  check_matrix_ending(options.output);
   const FilterBank<double> bank = io::load_filter_bank(options.name);
   if (options.samples < 2) {
     throw std::invalid_argument(must_be("samples", options.samples, "a power of two from 2 on"));
@@ -95,8 +81,7 @@ void run_stiffness(const StiffnessOptions& options) {
   const Eigen::SparseMatrix<double> k = stiffness(bank, options.samples, levels);
   const ExtremeEigenvalues ends = extreme_eigenvalues(bank, options.samples, levels, 1);
   const double first_vibration = vibration_eigenvalues(bank, options.samples)[1];
-  if (options.output.ends_with(".mtx")) io::write_matrix_market(options.output, k);
-  if (options.output.ends_with(".svg")) io::write_file(options.output, picture(bank, k, levels));
+  write_matrix(options.output, k, band_borders(k.rows(), levels), picture_text(bank, k, levels));
   print_measures(bank, k, levels);
   print_spectrum(ends, first_vibration);
 }

@@ -51,7 +51,7 @@ def build(tree, mutants):
         built = run(["cmake", "--build", tree / "build", "--target", *TESTS, "--", "-k", "0"])
         if built.returncode == 0:
             return mutants
-        places = {(file, int(line)) for file, line in re.findall(r"(lib/wavecurve/[\w/.]+):(\d+)", built.stdout)}
+        places = {(file, int(line)) for file, line in re.findall(r"(lib/wavecurve/[\w/.-]+):(\d+)", built.stdout)}
         kept = [mutant for mutant in mutants if (mutant["file"], mutant["line"]) not in places]
         if len(kept) == len(mutants):
             print(built.stdout[-4000:], file=sys.stderr)

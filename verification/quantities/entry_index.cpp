@@ -50,16 +50,20 @@ std::optional<double> parse_point(std::string_view text) {
   return std::nullopt;
 }
 
-/// The two halves of "(2, -1)", "2 -1", "2;-1"; one half if there is no second.
-std::vector<std::string_view> halves(std::string_view text) {
+/// The numbers of "(2, -1)", "2 -1", "2;-1"; what is too many stands in the last.
+std::vector<std::string_view> numbers_of(std::string_view text) {
   if (text.starts_with('(') && text.ends_with(')')) {
     text = io::trimmed(text.substr(1, text.size() - 2));
   }
-  const auto end = text.find_first_of(" ,;\t");
-  if (end == std::string_view::npos) return {text};
-  const auto next = text.find_first_not_of(" ,;\t", end);
-  if (next == std::string_view::npos) return {text};
-  return {text.substr(0, end), text.substr(next)};
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find_first_of(" ,;\t");
+    const auto next = text.find_first_not_of(" ,;\t", std::min(end, text.size()));
+    const bool is_last = parts.size() + 1 == most_indices || next == std::string_view::npos;
+    parts.push_back(is_last ? text : text.substr(0, end));
+    if (is_last) return parts;
+    text.remove_prefix(next);
+  }
 }
 
 [[noreturn]] void refuse_index(std::string_view text, std::string_view what) {
@@ -74,18 +78,29 @@ EntryIndex EntryIndex::at(double x) {
   return index;
 }
 
-EntryIndex EntryIndex::pair(int l, int m) {
-  EntryIndex index(l);
-  index.second = m;
-  index.is_pair = true;
+EntryIndex EntryIndex::pair(int l, int m) { return tuple(l, std::span(&m, 1)); }
+
+EntryIndex EntryIndex::tuple(double x, std::span<const int> further) {
+  EntryIndex index = at(x);
+  index.count = static_cast<int>(further.size()) + 1;
+  if (!further.empty()) index.second = further[0];
+  if (further.size() > 1) index.third = further[1];
   return index;
 }
 
-bool EntryIndex::is_integer() const { return !is_pair && std::fmod(first, 1) == 0; }
+bool EntryIndex::is_integer() const { return !is_tuple() && std::fmod(first, 1) == 0; }
 
 int EntryIndex::integer() const {
   if (!is_integer()) throw std::domain_error("the index " + text() + " is not an integer");
   return static_cast<int>(first);
+}
+
+std::vector<int> EntryIndex::integers() const {
+  if (std::fmod(first, 1) != 0) {
+    throw std::domain_error("the index " + text() + " must be of integers");
+  }
+  const int all[most_indices] = {static_cast<int>(first), second, third};
+  return {all, all + count};
 }
 
 int EntryIndex::dyadic_level() const {
@@ -95,23 +110,29 @@ int EntryIndex::dyadic_level() const {
   return std::max(0, 53 - exponent - std::countr_zero(digits));
 }
 
-std::string EntryIndex::text() const {
-  const auto whole = [](double x) { return std::to_string(static_cast<long>(x)); };
-  if (is_pair) return "(" + whole(first) + ", " + whole(second) + ")";
+std::string EntryIndex::first_text() const {
   const int level = dyadic_level();
-  return level == 0 ? whole(first)
-                    : whole(std::ldexp(first, level)) + "/" + std::to_string(1L << level);
+  const auto numerator = std::to_string(static_cast<long>(std::ldexp(first, level)));
+  return level == 0 ? numerator : numerator + "/" + std::to_string(1L << level);
+}
+
+std::string EntryIndex::text() const {
+  if (!is_tuple()) return first_text();
+  std::string text = "(" + first_text() + ", " + std::to_string(second);
+  if (count > 2) text += ", " + std::to_string(third);
+  return text + ")";
 }
 
 EntryIndex parse_entry_index(std::string_view text) {
   const std::string plain = plain_number_text(text);
-  const auto parts = halves(io::trimmed(plain));
+  const auto parts = numbers_of(io::trimmed(plain));
   std::vector<double> values;
   for (const std::string_view part : parts) {
-    const auto value = parts.size() == 2 ? parse_integer(part) : parse_point(part);
+    const auto value = values.empty() ? parse_point(part) : parse_integer(part);
     if (!value) {
-      refuse_index(text, parts.size() == 2 ? "is not a pair of integers"
-                                           : "is not an integer nor a dyadic point such as 1/2");
+      refuse_index(text, parts.size() > 1
+                             ? "is not two or three integers (the first may be a dyadic point)"
+                             : "is not an integer nor a dyadic point such as 1/2");
     }
     if (std::abs(*value) > largest_index) {
       refuse_index(text,
@@ -119,10 +140,8 @@ EntryIndex parse_entry_index(std::string_view text) {
     }
     values.push_back(*value);
   }
-  if (values.size() == 2) {
-    return EntryIndex::pair(static_cast<int>(values[0]), static_cast<int>(values[1]));
-  }
-  return EntryIndex::at(values[0] + 0.0);  // no negative zero
+  const std::vector<int> further(values.begin() + 1, values.end());
+  return EntryIndex::tuple(values[0] + 0.0, further);  // no negative zero
 }
 
 }  // namespace wavecurve::verification

@@ -8,7 +8,7 @@
 namespace wavecurve::verification {
 namespace {
 
-TEST(EntryIndex, IsAnIntegerAPointOrAPair) {
+TEST(EntryIndex, IsAnIntegerAPointOrSeveral) {
   EXPECT_EQ(parse_entry_index("-3"), EntryIndex(-3));
   EXPECT_EQ(parse_entry_index("+4"), EntryIndex(4));
   EXPECT_EQ(parse_entry_index("1/2"), EntryIndex::at(0.5));
@@ -18,6 +18,9 @@ TEST(EntryIndex, IsAnIntegerAPointOrAPair) {
   EXPECT_EQ(parse_entry_index("(2, -1)"), EntryIndex::pair(2, -1));
   EXPECT_EQ(parse_entry_index("2 -1").text(), "(2, -1)");
   EXPECT_EQ(parse_entry_index("-0"), EntryIndex(0));
+  EXPECT_EQ(parse_entry_index("(1/2, -1)").text(), "(1/2, -1)");
+  EXPECT_EQ(parse_entry_index("1;0;-2").integers(), (std::vector<int>{1, 0, -2}));
+  EXPECT_THROW(parse_entry_index("(1/2, -1)").integers(), std::domain_error);
 }
 
 TEST(EntryIndex, LevelOfADyadicPointIsTheLeastThatMakesItWhole) {
@@ -31,8 +34,9 @@ TEST(EntryIndex, LevelOfADyadicPointIsTheLeastThatMakesItWhole) {
 }
 
 TEST(EntryIndex, RefusesWhatIsNone) {
-  for (const char* text : {"", "x", "0.1", "1/3", "1/0", "1/", "99999999999999999999",
-                           "-2147483648", "1e300", "(1,2,3)", "(1, x)", "nan", "1e-30"}) {
+  for (const char* text :
+       {"", "x", "0.1", "1/3", "1/0", "1/", "99999999999999999999", "-2147483648", "1e300",
+        "(1,2,3,4)", "(1, x)", "(1/3, 2)", "(1, 1/2)", "nan", "1e-30"}) {
     EXPECT_THROW(parse_entry_index(text), std::invalid_argument) << text;
   }
 }

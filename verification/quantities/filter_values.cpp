@@ -1,8 +1,11 @@
 #include "verification/quantities/filter_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -36,14 +39,28 @@ EntryIndex sample_for(const Quantity& bare, const EntryIndex& index) {
 }
 
 void require_kind_of_index(const Quantity& bare, const EntryIndex& index) {
-  const bool wants_pair = bare.factors.size() == 3;
-  const bool wants_point = bare.family->name == "value";
-  if (index.is_pair == wants_pair && (wants_point || wants_pair || index.is_integer())) return;
+  constexpr std::array<std::string_view, 3> integers{"an integer", "a pair of integers l, m",
+                                                     "three integers l, m, n"};
+  constexpr std::array<std::string_view, 3> points{"an integer or a dyadic point",
+                                                   "a point x and an integer l",
+                                                   "a point x and two integers l, m"};
+  const int count = bare.index_count();
+  const bool wants_point = bare.family->name == "value" || bare.up_to_x;
+  const int finest = !wants_point   ? 0
+                     : bare.up_to_x ? highest_integral_level
+                                    : index.dyadic_level();
+  if (index.count == count && index.dyadic_level() <= finest) return;
+  const auto kind = static_cast<std::size_t>(count - 1);
   throw std::domain_error(fmt::format("the index {} of {} must be {}", index.text(),
                                       to_string(bare),
-                                      wants_pair    ? "a pair of integers l, m"
-                                      : wants_point ? "an integer or a dyadic point"
-                                                    : "an integer"));
+                                      wants_point ? points[kind] : integers[kind]));
+}
+
+/// l, (l, 0) or (l, 0, 0), as the quantity has it.
+EntryIndex index_beside_zeros(const Quantity& bare, int l) {
+  constexpr std::array<int, most_indices - 1> zeros{};
+  return EntryIndex::tuple(
+      l, std::span(zeros).first(static_cast<std::size_t>(bare.index_count() - 1)));
 }
 
 /// A factor of the square root of two, which is exact for even powers.
@@ -94,16 +111,16 @@ const Sequence& FilterValues::sequence(const Quantity& bare, const EntryIndex& s
        known != sequences_.end() && std::get<0>(known->first) == std::get<0>(key); ++known) {
     if (std::get<2>(known->first) == bits) return known->second;
   }
-  Sequence computed =
-      bare.family->compute(definition_, bare.factors, sample_for(bare, sample), bits);
+  Sequence computed = bare.family->compute(definition_, bare, sample_for(bare, sample), bits);
   return sequences_.emplace(key, std::move(computed)).first->second;
 }
 
 TrueValue FilterValues::bare_value(const Quantity& bare, const EntryIndex& index) {
   require_kind_of_index(bare, index);
   const Sequence& known = sequence(bare, index, least_bits);
-  const auto [least, most] = std::minmax(index.first, index.is_pair ? index.second : index.first);
-  if (least < known.first || most > known.last) {
+  const double all[] = {index.first, double(index.second), double(index.third)};
+  const auto [least, most] = std::minmax_element(all, all + index.count);
+  if (*least < known.first || *most > known.last) {
     throw std::domain_error(fmt::format("the index {} of {} is out of range: {} has {} to {}",
                                         index.text(), to_string(bare), definition_.name,
                                         known.first, known.last));
@@ -120,8 +137,7 @@ TrueValue FilterValues::bare_value(const Quantity& bare, const EntryIndex& index
 TrueValue FilterValues::first_value(const Quantity& bare) {
   const auto [first, last] = index_range(bare);
   for (int l = std::max(first, 0); l <= last; ++l) {
-    const EntryIndex index = bare.factors.size() == 3 ? EntryIndex::pair(l, 0) : EntryIndex(l);
-    const TrueValue value = bare_value(bare, index);
+    const TrueValue value = bare_value(bare, index_beside_zeros(bare, l));
     if (!value.is_exactly_zero()) return value;
   }
   throw std::domain_error("all entries of " + to_string(bare) + " vanish");
@@ -131,7 +147,7 @@ TrueValue FilterValues::value(const Quantity& quantity, const EntryIndex& index)
   const Quantity bare = quantity.bare();
   TrueValue result = bare_value(bare, index);
   if (quantity.divided_by_first) {
-    const bool is_first = !index.is_pair && index.first == 0 && !result.is_exactly_zero();
+    const bool is_first = !index.is_tuple() && index.first == 0 && !result.is_exactly_zero();
     result = is_first ? TrueValue{Rational(1), {}} : quotient(result, first_value(bare));
   }
   result = times_root_two(result, quantity.half_powers);
@@ -140,8 +156,7 @@ TrueValue FilterValues::value(const Quantity& quantity, const EntryIndex& index)
 
 std::pair<int, int> FilterValues::index_range(const Quantity& quantity) {
   const Quantity bare = quantity.bare();
-  const Sequence& known =
-      sequence(bare, bare.factors.size() == 3 ? EntryIndex::pair(0, 0) : EntryIndex(0), least_bits);
+  const Sequence& known = sequence(bare, index_beside_zeros(bare, 0), least_bits);
   return {known.first, known.last};
 }
 

@@ -103,20 +103,19 @@ class IntegralParser {
 /// One end as a multiple of 2^-highest_integral_level.
 int end_of_interval(std::string_view text, std::string_view whole) {
   constexpr double farthest = 1e5;
-  EntryIndex end;
+  std::optional<EntryIndex> end;
   try {
     end = parse_entry_index(text);
-  } catch (const std::invalid_argument&) {
-    end.is_pair = true;
+  } catch (const std::invalid_argument&) {  // answered below
   }
-  if (end.is_pair || std::abs(end.first) > farthest ||
-      end.dyadic_level() > highest_integral_level) {
+  if (!end || end->is_tuple() || std::abs(end->first) > farthest ||
+      end->dyadic_level() > highest_integral_level) {
     throw std::invalid_argument(must_be(
         "the interval", whole,
         fmt::format("a,b with integers or multiples of 1/{}, up to 10^5 in magnitude, such as 0,1",
                     1 << highest_integral_level)));
   }
-  return static_cast<int>(std::ldexp(end.first, highest_integral_level));
+  return static_cast<int>(std::ldexp(end->first, highest_integral_level));
 }
 
 }  // namespace
@@ -138,6 +137,19 @@ DyadicInterval parse_interval(std::string_view text) {
   }
   check_integral({{{}}, 0, interval});
   return interval;
+}
+
+bool is_up_to_x(std::string_view text) {
+  std::string without_blanks(text);
+  std::erase(without_blanks, ' ');
+  return without_blanks == "0,x";
+}
+
+std::string to_string(const DyadicInterval& interval) {
+  const auto end = [&](int numerator) {
+    return EntryIndex::at(std::ldexp(numerator, -interval.level)).text();
+  };
+  return end(interval.first) + "," + end(interval.last);
 }
 
 std::string to_string(const ProductIntegral& integral) {

@@ -27,6 +27,12 @@ ProductIntegral parse_integral(std::string_view text,
 /// 2^-highest_integral_level, and ends in the wrong order.
 DyadicInterval parse_interval(std::string_view text);
 
+/// Whether the text is "0,x", for the integrals from 0 to every x.
+bool is_up_to_x(std::string_view text);
+
+/// "0,1", "-1/2,3/4".
+std::string to_string(const DyadicInterval& interval);
+
 /// The shortest text for it: "phi', phi, phi", "x^2, phi(l), psi(2x - m)".
 std::string to_string(const ProductIntegral& integral);
 

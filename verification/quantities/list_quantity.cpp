@@ -1,7 +1,9 @@
 #include "verification/quantities/list_quantity.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "wavecurve/certified/moments.hpp"
@@ -23,12 +25,18 @@ certified::DecimalEnclosure decimal_of(const TrueValue& value, int digits) {
   return certified::supported_decimal(value.enclosure(precision_limit_bits), digits);
 }
 
-std::vector<EntryIndex> pairs(int first, int last) {
-  std::vector<EntryIndex> indices;
-  for (int l = first; l <= last; ++l) {
-    for (int m = first; m <= last; ++m) indices.push_back(EntryIndex::pair(l, m));
+/// Every one of these with every further integer from first to last.
+std::vector<EntryIndex> with_further(const std::vector<EntryIndex>& indices, int first, int last) {
+  std::vector<EntryIndex> longer;
+  for (const EntryIndex& index : indices) {
+    for (int m = first; m <= last; ++m) {
+      const std::array<int, 2> further =
+          index.is_tuple() ? std::array{index.second, m} : std::array{m, 0};
+      longer.push_back(EntryIndex::tuple(
+          index.first, std::span(further).first(static_cast<std::size_t>(index.count))));
+    }
   }
-  return indices;
+  return longer;
 }
 
 std::vector<EntryIndex> indices_of(FilterValues& filter, const Quantity& quantity,
@@ -36,11 +44,14 @@ std::vector<EntryIndex> indices_of(FilterValues& filter, const Quantity& quantit
   const bool is_moment = quantity.family->name == "moment";
   const auto [first, last] =
       is_moment ? std::pair(0, request.highest_moment) : filter.index_range(quantity);
-  if (quantity.factors.size() == 3) return pairs(first, last);
-  const int level = quantity.family->name == "value" ? request.level : 0;
+  const bool has_points = quantity.family->name == "value" || quantity.up_to_x;
+  const int level = has_points ? request.level : 0;
   std::vector<EntryIndex> indices;
   for (int k = first * (1 << level); k <= last * (1 << level); ++k) {
     indices.push_back(EntryIndex::at(std::ldexp(k, -level)));
+  }
+  for (int count = 1; count < quantity.index_count(); ++count) {
+    indices = with_further(indices, first, last);
   }
   return indices;
 }
@@ -64,8 +75,8 @@ std::vector<ListedEntry> list_quantity(FilterValues& filter, const Quantity& qua
   std::vector<std::pair<EntryIndex, TrueValue>> entries;
   for (const EntryIndex& index : indices_of(filter, quantity, request)) {
     TrueValue value = filter.value(quantity, index);
-    const bool is_between_pairs = index.is_pair && value.is_exactly_zero();
-    if (!is_between_pairs) entries.emplace_back(index, std::move(value));
+    const bool is_between_tuples = index.is_tuple() && value.is_exactly_zero();
+    if (!is_between_tuples) entries.emplace_back(index, std::move(value));
   }
   if (quantity.family->name != "moment") trim(entries);
   std::vector<ListedEntry> listed;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "verification/quantities/grammar_reader.hpp"
+#include "verification/quantities/integral_expression.hpp"
 #include "verification/quantities/quantity_families.hpp"
 
 namespace wavecurve::verification {
@@ -74,6 +75,7 @@ class Parser {
     const bool negated = reader_.take("-");
     Quantity result = parse_family();
     result.negated = negated;
+    if (result.family->name == "int") parse_range(result);
     while (parse_suffix(result)) {
     }
     if (!reader_.rest().empty()) reader_.refuse("a suffix such as *sqrt2 or /first, or the end");
@@ -130,23 +132,49 @@ class Parser {
   }
 
   Quantity parse_integral() {
-    constexpr std::size_t most = 3;
+    constexpr std::size_t most = most_factors;
     reader_.expect("(");
     std::vector<Factor> factors;
     std::string letters;
     do {
-      if (factors.size() == most) reader_.refuse("')': integrals have two or three factors");
+      if (factors.size() == most) reader_.refuse("')': integrals have at most four factors");
       const BasisFunction f = reader_.take_function();
       factors.push_back({f, parse_shift(letters)});
       reader_.take(",");
     } while (!reader_.take(")"));
-    if (factors.size() < 2) reader_.refuse("two or three factors in an integral");
+    if (factors.size() < 2) reader_.refuse("two to four factors in an integral");
     if (letters.empty()) {
       for (std::size_t i = 1; i < factors.size(); ++i) factors[i].shift = static_cast<int>(i);
-    } else if (letters.size() != factors.size() - 1) {
-      reader_.refuse("shifts of all factors but one");
     }
     return of_family("int", std::move(factors));
+  }
+
+  /// [on [a,b]], and whether the factors suit the range.
+  void parse_range(Quantity& quantity) {
+    const bool has_range = reader_.take_word("on");
+    if (has_range) take_interval(quantity);
+    const std::size_t factors = quantity.factors.size();
+    const auto letters = static_cast<std::size_t>(
+        std::ranges::count_if(quantity.factors, [](const Factor& f) { return f.shift > 0; }));
+    if (!has_range && letters != factors - 1) reader_.refuse("shifts of all factors but one");
+    if (has_range && factors == most_factors) {
+      reader_.refuse("at most three factors in an integral over an interval");
+    }
+    if (quantity.up_to_x && letters == factors) {
+      reader_.refuse("a factor without a letter, beyond whose support the integral is constant");
+    }
+  }
+
+  void take_interval(Quantity& quantity) {
+    reader_.expect("[");
+    const std::string_view rest = reader_.rest();
+    const std::size_t length = rest.find(']');
+    if (length == std::string_view::npos) reader_.refuse("an interval such as [0,1]");
+    const std::string text(rest.substr(0, length));
+    quantity.up_to_x = is_up_to_x(text);
+    if (!quantity.up_to_x) quantity.interval = parse_interval(text);
+    reader_.skip(length);
+    reader_.expect("]");
   }
 
   bool parse_suffix(Quantity& quantity) {
@@ -163,11 +191,18 @@ class Parser {
   GrammarReader reader_;
 };
 
+std::string range_text(const Quantity& quantity) {
+  if (quantity.up_to_x) return " on [0,x]";
+  return quantity.interval ? " on [" + to_string(*quantity.interval) + "]" : "";
+}
+
 std::string integral_text(const std::vector<Factor>& factors) {
   std::string text;
-  constexpr std::string_view letters = " lm";
-  const bool plain_order =
-      factors.front().shift == 0 && (factors.size() == 2 || factors[1].shift < factors[2].shift);
+  constexpr std::string_view letters = " lmn";
+  bool plain_order = true;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    plain_order &= factors[i].shift == static_cast<int>(i);
+  }
   for (const Factor& factor : factors) {
     text += (text.empty() ? "" : ", ") + certified::name_of(factor.function);
     if (!plain_order && factor.shift > 0) {
@@ -183,14 +218,20 @@ std::string bare_text(const Quantity& quantity) {
   }
   const std::string_view family = quantity.family->name;
   if (quantity.factors.empty()) return std::string(family);
-  if (family == "int") return integral_text(quantity.factors);
+  if (family == "int") return integral_text(quantity.factors) + range_text(quantity);
   const std::string function = certified::name_of(quantity.factors.front().function);
   return family == "value" ? function : fmt::format("{}({})", family, function);
 }
 
 }  // namespace
 
-Quantity Quantity::bare() const { return {family, factors, 0, false, false}; }
+int Quantity::index_count() const {
+  int letters = 0;
+  for (const Factor& factor : factors) letters = std::max(letters, factor.shift);
+  return family->name == "int" ? letters + (up_to_x ? 1 : 0) : 1;
+}
+
+Quantity Quantity::bare() const { return {family, factors, 0, false, false, interval, up_to_x}; }
 
 Quantity parse_quantity(std::string_view text) { return Parser(text).parse(); }
 

@@ -4,11 +4,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "wavecurve/certified/autocorrelation.hpp"
 #include "wavecurve/certified/connection_coefficients.hpp"
+#include "wavecurve/certified/integrals/exact_integrals.hpp"
 #include "wavecurve/certified/integrals/product_integrals.hpp"
 #include "wavecurve/certified/lifting.hpp"
 #include "wavecurve/certified/moments.hpp"
@@ -25,8 +30,6 @@ using certified::BasisFunction;
 using certified::FilterDefinition;
 using certified::Rational;
 using certified::WorkingPrecision;
-
-using Factors = std::vector<Factor>;
 
 /// Sums of a filter's products lose a few bits; enclosures stay right whatever this is.
 constexpr long extra_bits = 32;
@@ -51,17 +54,17 @@ void add_exact_values(Sequence& sequence, Filter<Rational> exact) {
 
 // --- filters ---
 
-Sequence tap_sequence(const FilterDefinition& definition, const Factors& factors, const EntryIndex&,
+Sequence tap_sequence(const FilterDefinition& definition, const Quantity& bare, const EntryIndex&,
                       long bits) {
   const WorkingPrecision precision(bits + extra_bits);
   const FilterBank<Ball> bank = definition.bank(bits);
-  const auto [wavelet, dual, derivative] = factors.front().function;
+  const auto [wavelet, dual, derivative] = bare.factors.front().function;
   const Filter<Ball>& taps = wavelet ? (dual ? bank.analysis_high : bank.synthesis_high)
                                      : (dual ? bank.analysis_low : bank.synthesis_low);
   return stored(taps, taps.first_index, taps.last_index());
 }
 
-Sequence autocorrelation_sequence(const FilterDefinition& definition, const Factors&,
+Sequence autocorrelation_sequence(const FilterDefinition& definition, const Quantity&,
                                   const EntryIndex&, long bits) {
   const WorkingPrecision precision(bits + extra_bits);
   Filter<Ball> alpha = certified::autocorrelation(definition, bits);
@@ -100,77 +103,127 @@ std::optional<Sequence> symmetric_integrals(const FilterDefinition& definition,
 }
 
 /// The functions in the order of their shifts.
-ProductIntegral product_of(const Factors& factors) {
-  ProductIntegral integral;
-  for (int shift = 0; shift < static_cast<int>(factors.size()); ++shift) {
-    const auto factor = std::find_if(factors.begin(), factors.end(),
-                                     [&](const Factor& f) { return f.shift == shift; });
-    integral.factors.push_back({factor->function, shift > 0});
+ProductIntegral product_of(const Quantity& bare) {
+  std::vector<Factor> factors = bare.factors;
+  std::ranges::stable_sort(factors, {}, &Factor::shift);
+  ProductIntegral integral{.factors = {}, .interval = bare.interval};
+  for (const Factor& factor : factors) {
+    integral.factors.push_back({factor.function, factor.shift > 0});
   }
   return integral;
 }
 
-Sequence two_term_sequence(const FilterDefinition& definition, const Factors& factors, long bits) {
-  const ProductIntegral integral = product_of(factors);
-  const BasisFunction &f = integral.factors[0].function, &g = integral.factors[1].function;
-  if (auto known = symmetric_integrals(definition, f, g, bits)) return *known;
-  const auto values = certified::product_integrals(definition, integral, bits);
-  return stored({values.first[0], values.values}, values.first[0] - 1, values.last(0) + 1);
+/// Where a table may list entries, with a zero at either end.
+template <class Scalar>
+std::pair<int, int> index_range(const ShiftTensor<Scalar>& values) {
+  int first = 0, last = 0;
+  for (std::size_t i = 0; i < values.dimensions(); ++i) {
+    first = i == 0 ? values.first[i] : std::min(first, values.first[i]);
+    last = i == 0 ? values.last(i) : std::max(last, values.last(i));
+  }
+  return {first - 1, last + 1};
 }
 
-Sequence three_term_sequence(const FilterDefinition& definition, const Factors& factors,
-                             long bits) {
+/// All shifts of a product over the line or an interval, and as fractions where they are known.
+Sequence tensor_sequence(const FilterDefinition& definition, const ProductIntegral& integral,
+                         long bits) {
   const auto values = std::make_shared<const ShiftTensor<Ball>>(
-      certified::product_integrals(definition, product_of(factors), bits));
-  const auto [first, last] =
-      std::minmax({values->first[0], values->first[1], values->last(0), values->last(1)});
-  return {[values](const EntryIndex& index) {
-            return values->at({static_cast<int>(index.first), static_cast<int>(index.second)});
-          },
-          {},
-          first - 1,
-          last + 1};
+      certified::product_integrals(definition, integral, bits));
+  const auto [first, last] = index_range(*values);
+  Sequence result{
+      [values](const EntryIndex& index) { return values->at(index.integers()); }, {}, first, last};
+  if (auto exact = certified::exact_product_integrals(definition, integral)) {
+    const auto shared = std::make_shared<const ShiftTensor<Rational>>(*std::move(exact));
+    result.exact = [shared](const EntryIndex& index) {
+      return std::optional(shared->at(index.integers()));
+    };
+  }
+  return result;
 }
 
-Sequence integral_sequence(const FilterDefinition& definition, const Factors& factors,
+/// The integrals from 0 to x, minus those from x to 0 for x < 0; each x is computed when it is asked
+/// for. Beyond the supports of the factors they are constant in x.
+Sequence up_to_x_sequence(const FilterDefinition& definition, const ProductIntegral& integral,
+                          long bits) {
+  const FilterBank<Ball> bank = definition.bank(bits);
+  double first = 0, last = 0;  // of the supports that are not shifted, as of 0
+  for (const IntegralFactor& factor : integral.factors) {
+    if (factor.shifted) continue;
+    const certified::Support on = certified::support(bank, factor.function);
+    first = std::min(first, on.first);
+    last = std::max(last, on.last);
+  }
+  ProductIntegral whole = integral;
+  whole.interval =
+      DyadicInterval{static_cast<int>(std::floor(first)), static_cast<int>(std::ceil(last))};
+  const auto [lowest, highest] = index_range(certified::product_integrals(definition, whole, bits));
+  const auto known = std::make_shared<std::map<double, ShiftTensor<Ball>>>();
+  const auto enclosure = [=](const EntryIndex& index) {
+    const double x = index.first;
+    if (x == 0) return Ball(0);
+    if (!known->contains(x)) {
+      const int level = index.dyadic_level();
+      const int end = static_cast<int>(std::ldexp(x, level));
+      ProductIntegral up_to_x = integral;
+      up_to_x.interval = DyadicInterval{std::min(end, 0), std::max(end, 0), level};
+      known->emplace(x, certified::product_integrals(definition, up_to_x, bits));
+    }
+    const int shifts[] = {index.second, index.third};
+    const Ball value =
+        known->at(x).at(std::span(shifts, static_cast<std::size_t>(index.count - 1)));
+    return x < 0 ? -value : value;
+  };
+  return {enclosure,
+          {},
+          std::min(lowest, static_cast<int>(std::floor(first))),
+          std::max(highest, static_cast<int>(std::ceil(last)))};
+}
+
+Sequence integral_sequence(const FilterDefinition& definition, const Quantity& bare,
                            const EntryIndex&, long bits) {
-  return factors.size() == 2 ? two_term_sequence(definition, factors, bits)
-                             : three_term_sequence(definition, factors, bits);
+  const ProductIntegral integral = product_of(bare);
+  if (bare.up_to_x) return up_to_x_sequence(definition, integral, bits);
+  if (integral.factors.size() == 2 && !integral.interval) {
+    const BasisFunction &f = integral.factors[0].function, &g = integral.factors[1].function;
+    if (auto known = symmetric_integrals(definition, f, g, bits)) return *known;
+  }
+  return tensor_sequence(definition, integral, bits);
 }
 
 // --- functions ---
 
-Sequence value_sequence(const FilterDefinition& definition, const Factors& factors,
+Sequence value_sequence(const FilterDefinition& definition, const Quantity& bare,
                         const EntryIndex& sample, long bits) {
   const int level = sample.dyadic_level();
-  Filter<Ball> values = certified::dyadic_values(definition, factors.front().function, level, bits);
+  Filter<Ball> values =
+      certified::dyadic_values(definition, bare.factors.front().function, level, bits);
   const int first = values.first_index >> level, last = (values.last_index() >> level) + 1;
   return stored(std::move(values), first - 1, last + 1, level);
 }
 
-Sequence moment_sequence(const FilterDefinition& definition, const Factors& factors,
+Sequence moment_sequence(const FilterDefinition& definition, const Quantity& bare,
                          const EntryIndex& sample, long bits) {
   const int highest = std::max(std::abs(sample.integer()), 1);
   check_between("moment", highest, 0, certified::highest_moment);
   constexpr long bits_a_moment = 8;  // the sums over n^p cancel by a few bits a power
-  return stored({0, certified::moments(definition, factors.front().function, highest,
+  return stored({0, certified::moments(definition, bare.factors.front().function, highest,
                                        bits + extra_bits + bits_a_moment * highest)},
                 0, highest);
 }
 
 Sequence one_number(const Ball& value) { return stored({0, {value}}, 0, 0); }
 
-Sequence sobolev_sequence(const FilterDefinition& definition, const Factors& factors,
+Sequence sobolev_sequence(const FilterDefinition& definition, const Quantity& bare,
                           const EntryIndex&, long) {
-  return one_number(certified::sobolev_exponent(definition, factors.front().function));
+  return one_number(certified::sobolev_exponent(definition, bare.factors.front().function));
 }
 
 /// Closed forms only: a spline of order D is D - 1 times Lipschitz differentiable, and phi of D4 has
 /// the exponent 2 - log_2(1 + sqrt 3) (Daubechies and Lagarias 1992).
-Sequence hoelder_sequence(const FilterDefinition& definition, const Factors& factors,
+Sequence hoelder_sequence(const FilterDefinition& definition, const Quantity& bare,
                           const EntryIndex&, long bits) {
   const WorkingPrecision precision(bits + extra_bits);
-  const auto [wavelet, dual, derivative] = factors.front().function;
+  const auto [wavelet, dual, derivative] = bare.factors.front().function;
   const std::string& name = definition.name;
   if (!dual && derivative == 0) {
     if (name == "db2") {
@@ -181,11 +234,11 @@ Sequence hoelder_sequence(const FilterDefinition& definition, const Factors& fac
     }
   }
   throw std::domain_error("no certified Hoelder exponent is known for " +
-                          certified::name_of(factors.front().function) + " of filter " + name +
+                          certified::name_of(bare.factors.front().function) + " of filter " + name +
                           "; for phi and psi of db2 and of the splines it is");
 }
 
-Sequence lifting_sequence(const FilterDefinition& definition, const Factors&, const EntryIndex&,
+Sequence lifting_sequence(const FilterDefinition& definition, const Quantity&, const EntryIndex&,
                           long bits) {
   auto [steps, factor] = certified::lifting_steps(definition, bits + extra_bits);
   steps.push_back(factor);
@@ -198,8 +251,9 @@ constexpr QuantityFamily families[] = {
      "h*sqrt2", 1, 1, tap_sequence},
     {"alpha", "autocorrelation 2 sum h_i h_{i+n} of the taps; index n", "alpha", 0, 0,
      autocorrelation_sequence},
-    {"int", "integrals of products over the line; indices l, m", "int(phi'', phi)", 2, 3,
-     integral_sequence},
+    {"int",
+     "integrals of two to four factors over the line, or on [a,b], on [0,x]; indices [x,] l, m, n",
+     "int(phi'', phi)", 2, most_factors, integral_sequence},
     {"value", "phi, psi, dual(phi), dual(psi), or a derivative, at integers and dyadic points x",
      "phi'", 1, 1, value_sequence},
     {"moment", "int x^p f(x) dx; index p", "moment(psi)", 1, 1, moment_sequence},

@@ -18,7 +18,7 @@ struct Sequence {
   std::function<certified::Ball(const EntryIndex&)> enclosure;
   /// The same as an exact fraction, where one is known.
   std::function<std::optional<certified::Rational>(const EntryIndex&)> exact;
-  /// The indices that a table may list; a pair's two alike. Integrals have a zero at either end.
+  /// The indices that a table may list; all of a tuple alike. Integrals have a zero at either end.
   int first = 0, last = 0;
 };
 
@@ -32,8 +32,8 @@ struct QuantityFamily {
   int fewest_factors = 0, most_factors = 0;
   /// The sequence to `bits` bits. `sample` is an index that is asked for: its level says how fine
   /// the points are, its size how many moments. Throws std::domain_error where there is none.
-  Sequence (*compute)(const certified::FilterDefinition& definition,
-                      const std::vector<Factor>& factors, const EntryIndex& sample, long bits);
+  Sequence (*compute)(const certified::FilterDefinition& definition, const Quantity& bare,
+                      const EntryIndex& sample, long bits);
 };
 
 std::span<const QuantityFamily> quantity_families();

@@ -30,6 +30,11 @@ TEST(Quantity, EveryNameIsReadBackAsItIsWritten) {
                            "int(phi, phi(l), phi'(m))",
                            "int(phi, phi, phi')",
                            "int(phi(l), phi'')",
+                           "int(phi, phi, phi, phi')",
+                           "int(phi(l), phi, phi(m), psi(n))",
+                           "int(phi(l), phi'(m)) on [0,1]",
+                           "int(phi, phi', psi) on [-1/2,3/4]*2",
+                           "int(phi'(l), phi) on [0,x]/first",
                            "phi",
                            "psi''",
                            "phi~",
@@ -49,6 +54,7 @@ TEST(Quantity, EveryNameIsReadBackAsItIsWritten) {
   EXPECT_EQ(to_string(parse_quantity("int(phi'(a) phi phi(b))")), "int(phi'(l), phi, phi(m))");
   EXPECT_EQ(to_string(parse_quantity("dual(phi')")), "phi~'");
   EXPECT_EQ(to_string(parse_quantity("int(phi^(2), phi)")), "int(phi'', phi)");
+  EXPECT_EQ(to_string(parse_quantity("int(phi phi(l)) on [0, 0.5]")), "int(phi, phi) on [0,1/2]");
 }
 
 TEST(Quantity, NamesOfThePublicationAreThoseOfTheGrammar) {
@@ -65,7 +71,11 @@ TEST(Quantity, AMessageMarksTheColumn) {
                                      {"foo", 1},
                                      {"h*3", 2},
                                      {"int(phi)", 9},
-                                     {"int(phi, phi, phi, phi)", 20},
+                                     {"int(phi, phi, phi, phi, phi)", 25},
+                                     {"int(phi, phi, phi, phi) on [0,1]", 33},
+                                     {"int(phi(l), phi(m)) on [0,x]", 29},
+                                     {"int(phi, phi) on 0,1", 18},
+                                     {"int(phi, phi) on [0,1", 19},
                                      {"phi'''''''''", 13},
                                      {"int(phi(l), phi(l))", 17},
                                      {"moment(h)", 8},
@@ -82,6 +92,15 @@ TEST(Quantity, AMessageMarksTheColumn) {
           << error.what();
     }
   }
+}
+
+TEST(Quantity, AnIndexHasOneNumberForEachLetterAndForX) {
+  EXPECT_EQ(parse_quantity("mu").index_count(), 1);
+  EXPECT_EQ(parse_quantity("moment(phi)").index_count(), 1);
+  EXPECT_EQ(parse_quantity("int(phi, phi, phi, phi)").index_count(), 3);
+  EXPECT_EQ(parse_quantity("int(phi(l), phi(m)) on [0,1]").index_count(), 2);
+  EXPECT_EQ(parse_quantity("int(phi'(l), phi) on [0,x]").index_count(), 2);
+  EXPECT_THROW(parse_quantity("int(phi, phi) on [1,0]"), std::invalid_argument);
 }
 
 TEST(Quantity, EveryFamilyHasAnExampleThatIsUnderstood) {

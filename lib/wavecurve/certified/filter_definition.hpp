@@ -29,6 +29,9 @@ struct FilterDefinition {
   /// side, are known: a user's own decimals may stand for more than one number. Empty where any
   /// accuracy can be had.
   std::optional<long> known_bits = {}, dual_known_bits = {};
+  /// The two-scale coefficients sqrt 2 h_k and sqrt 2 g_k of all four filters, where they are
+  /// rational numbers: of splines, and of a user's own taps that are exact.
+  std::optional<FilterBank<Rational>> two_scale = {};
 };
 
 /// The same bank with the analysis and the synthesis side exchanged, so that every question about

@@ -12,6 +12,7 @@
 
 #include "wavecurve/certified/decimal_enclosure.hpp"
 #include "wavecurve/certified/detail/ball_matrix.hpp"
+#include "wavecurve/certified/detail/eigenfunction_bound.hpp"
 #include "wavecurve/certified/detail/refine.hpp"
 #include "wavecurve/certified/rounding.hpp"
 #include "wavecurve/filters/square_matrix.hpp"
@@ -60,8 +61,9 @@ SquareMatrix<Ball> transition_operator(const std::vector<Ball>& q) {
   return t;
 }
 
-constexpr long rough_bits = 128;    // enough for the few squarings that mostly decide
-constexpr int most_squarings = 45;  // leave a radius of 1e-13 for the longest filters
+constexpr long rough_bits = 128;                // enough for the few squarings that mostly decide
+constexpr long bits_of_an_eigenfunction = 192;  // which may be small somewhere
+constexpr int most_squarings = 45;              // leave a radius of 1e-13 for the longest filters
 constexpr double accurate_radius = 1e-13;
 
 /// What the squarings of all attempts together may take, in products of entries times bits: about
@@ -99,6 +101,10 @@ std::optional<Ball> log_spectral_radius(const BallMatrix& power, int size, int s
 
 using Enough = std::function<bool(const Ball& exponent)>;
 
+/// Whether an eigenfunction may tell what some squarings do not. Where it is not positive it is not at
+/// any precision, and left out from then on.
+enum class Eigenfunction { used, left_out };
+
 /// The exponent as far as one attempt came, and whether it ended because the powers had become too
 /// wide.
 struct Attempt {
@@ -116,7 +122,7 @@ Ball exponent_from(const Ball& told, int zeros, int all_zeros) {
 /// Each power T^k, k = 1, 2, 4, ..., encloses the exponent. Their intersection is kept until it is
 /// enough, or until the errors of the k-th power widen it more than the k-th root narrows it.
 Attempt exponent_by_squaring(const Filter<Ball>& low, int zeros, int all_zeros, int squarings,
-                             Work& work, const Enough& enough) {
+                             Work& work, const Enough& enough, Eigenfunction& eigenfunction) {
   const auto t = transition_operator(without_zeros_at_pi(low, zeros));
   const long bits = WorkingPrecision::bits();
   BallMatrix power(t);
@@ -127,17 +133,31 @@ Attempt exponent_by_squaring(const Filter<Ball>& low, int zeros, int all_zeros, 
   };
   // The first enclosures are rough, and their logarithms would cost more than the squarings.
   constexpr int first_telling = 4;
+  constexpr int rough_squarings = 8;
+  double last_radius = HUGE_VAL;  // by squaring
+  const auto narrow = [&](const Ball& log_rho) {
+    const Ball s = Ball(zeros) - log_rho / log(Ball(4));
+    if (!best) best = s;
+    arb_intersection(best->get(), best->get(), s.get(), bits);
+    return s.radius_double();
+  };
   for (int m = 0;; ++m) {
     if (m > 0 && m < first_telling && m < squarings) {
       arb_mat_sqr(power.value, power.value, bits);
       continue;
     }
     if (const auto log_rho = log_spectral_radius(power, t.size(), m)) {
-      const Ball s = Ball(zeros) - *log_rho / log(Ball(4));
-      if (best && best->radius_double() <= s.radius_double()) return ended(true);
-      if (!best) best = s;
-      arb_intersection(best->get(), best->get(), s.get(), bits);
+      const double radius = narrow(*log_rho);
+      if (last_radius <= radius) return ended(true);
+      last_radius = radius;
       if (enough(exponent_from(*best, zeros, all_zeros))) return ended(false);
+      if (m == rough_squarings && eigenfunction == Eigenfunction::used) {
+        // rho is at least 1.
+        const auto rho = spectral_radius_by_eigenfunction(t);
+        if (rho && rho->is_positive()) narrow(log(*rho));
+        if (!rho) eigenfunction = Eigenfunction::left_out;
+        if (enough(exponent_from(*best, zeros, all_zeros))) return ended(false);
+      }
     } else if (best || norm_of(power).accuracy_bits() <= 0) {
       return ended(true);
     }
@@ -158,6 +178,7 @@ std::string limit_of(const FilterDefinition& definition) {
 Ball exponent_of(const FilterDefinition& definition, long family_bits, const Enough& enough) {
   const long first_bits = definition.known_bits ? 128 : family_bits;
   Work work;
+  Eigenfunction eigenfunction = Eigenfunction::used;
   std::optional<Ball> best;
   std::string reason = not_enclosed;
   const auto narrow = [&](const Ball& s) {
@@ -173,8 +194,8 @@ Ball exponent_of(const FilterDefinition& definition, long family_bits, const Eno
     for (int zeros = definition.known_bits ? std::min(1, all_zeros) : all_zeros; zeros <= all_zeros;
          ++zeros) {
       const double before = best ? best->radius_double() : 0;
-      const Attempt found =
-          exponent_by_squaring(bank.synthesis_low, zeros, all_zeros, most_squarings, work, enough);
+      const Attempt found = exponent_by_squaring(bank.synthesis_low, zeros, all_zeros,
+                                                 most_squarings, work, enough, eigenfunction);
       if (found.exponent) narrow(*found.exponent);
       lost_precision = found.lost_precision;
       if (!best) continue;
@@ -201,17 +222,16 @@ bool is_accurate(const Ball& exponent) { return exponent.radius_double() < accur
 
 Ball sobolev_exponent(const Filter<Ball>& low, int zeros_at_pi, int squarings) {
   Work work;
+  Eigenfunction eigenfunction = Eigenfunction::left_out;
   const auto never = [](const Ball&) { return false; };
   const Attempt attempt =
-      exponent_by_squaring(low, zeros_at_pi, zeros_at_pi, squarings, work, never);
+      exponent_by_squaring(low, zeros_at_pi, zeros_at_pi, squarings, work, never, eigenfunction);
   if (attempt.exponent) return *attempt.exponent;
   throw std::domain_error(not_enclosed);
 }
 
 Ball sobolev_exponent(const FilterDefinition& definition) {
-  // Squarings lose precision; to begin with much costs less than to do them again.
-  constexpr long bits_of_many_squarings = 512;
-  return exponent_of(definition, bits_of_many_squarings, is_accurate);
+  return exponent_of(definition, bits_of_an_eigenfunction, is_accurate);
 }
 
 bool is_proved_smoother(const FilterDefinition& definition, const Rational& exponent) {

@@ -50,6 +50,21 @@ TEST(SobolevExponent, IsEnclosedByAnyNumberOfSquarings) {
   }
 }
 
+// The eigenfunction and the squarings are two ways to the same number.
+TEST(SobolevExponent, IsTheSameByEigenfunctionAndBySquaring) {
+  for (const char* name :
+       {"db2", "db7", "db20", "sym8", "coif3", "coif9", "bspline3.5", "cdf9.7"}) {
+    const FilterDefinition definition = find_filter(name);
+    const WorkingPrecision precision(512);
+    const FilterBank<Ball> bank = definition.bank(512);
+    const Ball by_squaring = sobolev_exponent(bank.synthesis_low, bank.vanishing_moments, 30);
+    const Ball found = sobolev_exponent(definition);
+    EXPECT_TRUE(found.overlaps(by_squaring)) << name;
+    EXPECT_LT(by_squaring.radius_double(), 1e-7) << name;
+    EXPECT_LT(found.radius_double(), 1e-13) << name;
+  }
+}
+
 TEST(SobolevExponent, MatchesThePublishedFigures) {
   // db N by Villemoes and others, to three decimals.
   const std::pair<const char*, double> known[] = {

@@ -186,6 +186,7 @@ FilterDefinition define_user_filter(const UserFilter& user) {
     const FilterBank<Rational> bank = printed.exact();
     definition.exact = ExactAutocorrelations{exact_autocorrelation(bank.synthesis_low),
                                              exact_autocorrelation(bank.analysis_low)};
+    definition.two_scale = bank;
   } else {
     claim_zeros_that_are_meant(printed);
     require_relations(printed);

@@ -3,9 +3,13 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "wavecurve/filters/detail/bad_value.hpp"
+#include "wavecurve/filters/detail/whole_numbers.hpp"
 #include "wavecurve/integrals/product_integrals.hpp"
 #include "wavecurve/transform/periodic_transform.hpp"
+#include "wavecurve/transform/plain_transform.hpp"
 
 namespace wavecurve {
 
@@ -67,6 +71,33 @@ Eigen::VectorXd apply(const NonstandardForm& form, const FilterBank<double>& ban
   const PeriodicTransform<double> checked(bank, samples, levels);
   const double scale = std::pow(static_cast<double>(samples), form.derivative);
   return scale * product(form, bank, coefficients, levels);
+}
+
+Eigen::SparseMatrix<double> nonstandard_matrix(const NonstandardForm& form, Eigen::Index samples,
+                                               int levels) {
+  check_between("number of levels of a non-standard form", levels, 1, checked_log2(samples));
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index corner = 0;
+  for (int level = levels; level >= 1; --level) {
+    const Eigen::Index n = samples >> level;
+    const double scale = std::pow(static_cast<double>(n), form.derivative);
+    const auto add = [&](const Filter<double>& block, Eigen::Index row, Eigen::Index column) {
+      const Eigen::VectorXd values = scale * plain::periodized(block, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index k = 0; k < n; ++k) {
+          if (values[k] != 0) entries.emplace_back(row + i, column + (i + k) % n, values[k]);
+        }
+      }
+    };
+    add(form.a, corner, corner);
+    add(form.b, corner, corner + n);
+    add(form.c, corner + n, corner);
+    if (level == levels) add(form.r, corner + n, corner + n);
+    corner += 2 * n;
+  }
+  Eigen::SparseMatrix<double> matrix(corner, corner);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 }  // namespace wavecurve

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "wavecurve/filters/filter_bank.hpp"
 
@@ -28,5 +29,13 @@ NonstandardForm nonstandard_form(const FilterBank<double>& bank, int derivative)
 /// std::invalid_argument unless 2^levels divides their number.
 Eigen::VectorXd apply(const NonstandardForm& form, const FilterBank<double>& bank,
                       const Eigen::Ref<const Eigen::VectorXd>& coefficients, int levels);
+
+/// The form as one matrix, as it is drawn: on the diagonal a block [A B; C 0] for each level, the
+/// coarsest first, whose zero is r's block. A block acts on the wavelet coefficients and then the
+/// scaling coefficients of its level, samples / 2^i of each, i = levels .. 1; entries have the factor
+/// (samples / 2^i)^d. Throws std::invalid_argument unless samples is a power of two and levels from 1 to
+/// its exponent.
+Eigen::SparseMatrix<double> nonstandard_matrix(const NonstandardForm& form, Eigen::Index samples,
+                                               int levels);
 
 }  // namespace wavecurve

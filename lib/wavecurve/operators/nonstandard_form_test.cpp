@@ -76,6 +76,39 @@ TEST(NonstandardForm, DifferentiatesAPolynomialWhereThePeriodDoesNotShow) {
             rounding(form, samples, 2) * unit);
 }
 
+// The matrix acts on all wavelet and scaling coefficients; what it makes of them is put together level
+// by level.
+TEST(NonstandardForm, ItsMatrixIsTheSameOperator) {
+  const FilterBank<double> bank = find_filter_bank("db3");
+  constexpr Eigen::Index samples = 32;
+  constexpr int levels = 3;
+  const NonstandardForm form = nonstandard_form(bank, 1);
+  const Eigen::SparseMatrix<double> matrix = nonstandard_matrix(form, samples, levels);
+  ASSERT_EQ(matrix.rows(), 2 * (16 + 8 + 4));
+  const Eigen::VectorXd u = some_numbers(samples);
+  Eigen::VectorXd all(matrix.rows());
+  Eigen::Index corner = 0;
+  for (int level = levels; level >= 1; --level) {
+    const Eigen::Index n = samples >> level;
+    const Eigen::VectorXd parts = plain::forward_transform(bank, level, u);
+    all.segment(corner, n) = parts.segment(n, n);
+    all.segment(corner + n, n) = parts.head(n);
+    corner += 2 * n;
+  }
+  const Eigen::VectorXd product = matrix * all;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples >> levels);
+  corner = 0;
+  for (int level = levels; level >= 1; --level) {
+    const Eigen::Index n = samples >> level;
+    Eigen::VectorXd parts(2 * n);
+    parts << sum + product.segment(corner + n, n), product.segment(corner, n);
+    sum = plain::inverse_transform(bank, 1, parts);
+    corner += 2 * n;
+  }
+  EXPECT_LT((sum - apply(form, bank, u, levels)).cwiseAbs().maxCoeff(),
+            2 * rounding(form, samples, levels));
+}
+
 TEST(NonstandardForm, RefusesWhatItIsNotKnownFor) {
   const FilterBank<double> bank = find_filter_bank("db4");
   EXPECT_THROW(nonstandard_form(find_filter_bank("cdf9.7"), 1), std::invalid_argument);
@@ -84,6 +117,8 @@ TEST(NonstandardForm, RefusesWhatItIsNotKnownFor) {
   EXPECT_THROW(nonstandard_form(bank, 9), std::invalid_argument);
   EXPECT_THROW(apply(nonstandard_form(bank, 1), bank, Eigen::VectorXd::Zero(12), 3),
                std::invalid_argument);
+  EXPECT_THROW(nonstandard_matrix(nonstandard_form(bank, 1), 16, 0), std::invalid_argument);
+  EXPECT_THROW(nonstandard_matrix(nonstandard_form(bank, 1), 16, 5), std::invalid_argument);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST_F(NumberOption, AnOptionThatAnotherMakesMeaninglessIsRefused) {
   expect_refusal("gait synthesize p.json d.svg -o o.svg --subcycles --gait trot", "excludes");
   expect_refusal("coefficients db4 --quantity h --derivatives 1,1", "excludes");
   expect_refusal("coefficients db4 --integral 'phi phi' --normalize first", "excludes");
-  expect_refusal("coefficients db4 --level 3", "--level takes --quantity");
+  expect_refusal("coefficients db4 --level 3", "--level takes --quantity or --on 0,x");
   expect_refusal("filter --list db4", "excludes");
   expect_refusal("filter --list --format json", "excludes");
   expect_refusal("identify --table --format json a.csv", "excludes");

@@ -1,5 +1,6 @@
 #include "tools/commands/output/number_list.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <utility>
@@ -104,14 +105,16 @@ MarkupTable list_as_markup(const NumberList& list) {
 std::string list_as_text(const NumberList& list) {
   std::string text = fmt::format("{} of {}\n\n", list.name, printable(list.filter));
   constexpr std::size_t longest_fraction = 40;
+  std::size_t width = 8;
+  for (const ListedNumber& entry : list.entries) width = std::max(width, entry.index.size());
   visit_quantities(list, [&](const std::string& quantity, const Numbers& numbers) {
     if (!quantity.empty()) {
       text += fmt::format("{}{}\n", &numbers.front() == list.entries.data() ? "" : "\n", quantity);
     }
     for (const ListedNumber& entry : numbers) {
       const auto& [value, radius, exact] = entry.number;
-      text += fmt::format("{:>8}  {}{}  +- {}", entry.index, value.starts_with('-') ? "" : " ",
-                          value, radius);
+      text += fmt::format("{:>{}}  {}{}  +- {}", entry.index, width,
+                          value.starts_with('-') ? "" : " ", value, radius);
       if (exact && exact->size() <= longest_fraction) text += "  = " + *exact;
       text += "\n";
     }

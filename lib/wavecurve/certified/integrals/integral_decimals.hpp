@@ -15,11 +15,12 @@ struct IntegralDecimal {
 };
 
 /// The integrals of certified/integrals/product_integrals.hpp as decimals, row by row, each
-/// correctly rounded to this many significant digits; those that vanish since the supports do not
-/// meet are left out, of one index those at either end.
+/// correctly rounded to this many significant digits. Exact zeros, as where the supports do not
+/// meet, are left out, of one index those at either end; if all are zero, one is listed.
 ///
 /// Two factors of one kind have exact fractions where connection_coefficients.hpp has them, and
-/// those of the two sides of a bank, which are biorthogonal, are 0 and 1. Another integral that
+/// those of the two sides of a bank, which are biorthogonal, are 0 and 1; any number of factors has
+/// them where exact_integrals.hpp solves its system. Another integral that
 /// vanishes is "0" with the radius that is proved, which is below 10^-(digits + 100) of the
 /// largest. Numbers that a user's own decimals do not decide have as many digits as are proved.
 ///

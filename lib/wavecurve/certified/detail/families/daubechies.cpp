@@ -19,7 +19,14 @@ FilterBank<Ball> minimum_phase_bank(const std::string& name, int order) {
 
 std::optional<FilterDefinition> define_daubechies(std::string_view name) {
   auto definition = define_by_order("db", name, 1, highest_daubechies_order, minimum_phase_bank);
-  if (definition) definition->exact = halfband_autocorrelations(*number_after("db", name));
+  if (!definition) return std::nullopt;
+  const int order = *number_after("db", name);
+  definition->exact = halfband_autocorrelations(order);
+  if (order == 1) {  // Haar's taps alone are rational
+    const Filter<Rational> low{0, {Rational(1), Rational(1)}};
+    definition->two_scale = make_filter_bank(definition->name, low, low);
+    definition->two_scale->vanishing_moments = definition->two_scale->dual_vanishing_moments = 1;
+  }
   return definition;
 }
 

@@ -35,6 +35,14 @@ Filter<Ball> times_root_two(const Filter<Rational>& exact) {
   return filter;
 }
 
+FilterBank<Rational> two_scale_bank(const std::string& name, const SplinePair& pair) {
+  const auto doubled = [](Filter<Rational> filter) {
+    for (Rational& tap : filter.taps) tap *= Rational(2);
+    return filter;
+  };
+  return make_filter_bank(name, doubled(pair.analysis), doubled(pair.synthesis));
+}
+
 /// alpha of the taps sqrt 2 * exact.
 Filter<Rational> scaled_autocorrelation(const Filter<Rational>& exact) {
   Filter<Rational> alpha = autocorrelation(exact);
@@ -61,6 +69,9 @@ std::optional<FilterDefinition> define_spline(std::string_view name) {
   const SplinePair pair = spline_pair(orders->order, orders->dual_order);
   definition.exact = {scaled_autocorrelation(pair.synthesis),
                       scaled_autocorrelation(pair.analysis)};
+  definition.two_scale = two_scale_bank(definition.name, pair);
+  definition.two_scale->vanishing_moments = orders->order;
+  definition.two_scale->dual_vanishing_moments = orders->dual_order;
   return definition;
 }
 

@@ -1,4 +1,4 @@
-#include "tools/commands/coefficients_operator.hpp"
+#include "tools/commands/coefficients/operator_output.hpp"
 
 #include <algorithm>
 #include <cmath>
