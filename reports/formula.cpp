@@ -1,6 +1,7 @@
 #include "reports/formula.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "reports/escape.hpp"
@@ -55,10 +56,10 @@ std::size_t script_length(std::string_view text) {
   return is_number ? length + fraction_length(text.substr(length)) : length;
 }
 
-}  // namespace
-
-std::string formula_html(std::string_view text) {
-  std::string html;
+/// Text with its indices and exponents, by plain(text) and set('_' or '^', script, as written).
+template <class Plain, class Set>
+std::string formula(std::string_view text, Plain plain_text, Set set) {
+  std::string result;
   std::size_t plain = 0, after_script = std::string_view::npos;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '_' && text[i] != '^') continue;
@@ -67,14 +68,46 @@ std::string formula_html(std::string_view text) {
     if (length == 0) continue;
     std::string_view script = text.substr(i + 1, length);
     if (script.front() == '{') script = script.substr(1, script.size() - 2);
-    const std::string element = text[i] == '_' ? "sub" : "sup";
-    html += escape(text.substr(plain, i - plain));
-    html.append("<").append(element).append(">").append(formula_html(script));
-    html.append("</").append(element).append(">");
+    result += plain_text(text.substr(plain, i - plain));
+    result += set(text[i], script, text.substr(i, length + 1));
     plain = after_script = i + 1 + length;
     i = plain - 1;
   }
-  return html + escape(text.substr(std::min(plain, text.size())));
+  return result + plain_text(text.substr(std::min(plain, text.size())));
+}
+
+/// The characters of Unicode for a script; empty if one has none.
+std::string small_characters(char kind, std::string_view script) {
+  constexpr std::string_view plain = "0123456789+-()n";
+  constexpr std::array<std::string_view, plain.size()> low{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇",
+                                                           "₈", "₉", "₊", "₋", "₍", "₎", "ₙ"};
+  constexpr std::array<std::string_view, plain.size()> high{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷",
+                                                            "⁸", "⁹", "⁺", "⁻", "⁽", "⁾", "ⁿ"};
+  std::string result;
+  for (const char c : script) {
+    const std::size_t place = plain.find(c);
+    if (place == std::string_view::npos) return "";
+    result += (kind == '_' ? low : high)[place];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string formula_html(std::string_view text) {
+  return formula(text, escape, [](char kind, std::string_view script, std::string_view) {
+    const std::string element = kind == '_' ? "sub" : "sup";
+    return "<" + element + ">" + formula_html(script) + "</" + element + ">";
+  });
+}
+
+std::string formula_text(std::string_view text) {
+  return formula(
+      text, [](std::string_view plain) { return std::string(plain); },
+      [](char kind, std::string_view script, std::string_view written) {
+        const std::string small = small_characters(kind, script);
+        return small.empty() ? std::string(written) : small;
+      });
 }
 
 }  // namespace wavecurve::reports

@@ -10,4 +10,8 @@ namespace wavecurve::reports {
 /// that names like own_value stay as they are.
 std::string formula_html(std::string_view text);
 
+/// The same text, not escaped, with the small digits and signs of Unicode, for the words of a chart:
+/// "s₁ = 2", "C⁻¹". A script that has a character without such a form stays as it is written.
+std::string formula_text(std::string_view text);
+
 }  // namespace wavecurve::reports

@@ -27,5 +27,10 @@ TEST(Formula, EscapesEverything) {
   EXPECT_EQ(formula_html("a_{<b>} & c_i < d"), "a<sub>&lt;b&gt;</sub> &amp; c<sub>i</sub> &lt; d");
 }
 
+TEST(Formula, IsSetInUnicodeWhereThatHasTheCharacters) {
+  EXPECT_EQ(formula_text("s_1 = 2, C^-1, x_{n-1} < 10^-12"), "s₁ = 2, C⁻¹, xₙ₋₁ < 10⁻¹²");
+  EXPECT_EQ(formula_text("M_f, own_value, N^1.14, a_"), "M_f, own_value, N^1.14, a_");
+}
+
 }  // namespace
 }  // namespace wavecurve::reports

@@ -12,6 +12,8 @@
 #include "wavecurve/io/files/read_file.hpp"
 #include "wavecurve/io/files/write_file.hpp"
 
+#include "reports/formula.hpp"
+
 namespace wavecurve::reports {
 
 namespace {
@@ -85,6 +87,19 @@ std::string first_complaint(std::string_view text, const std::string& script) {
   return complaint.empty() ? "no reason given" : std::string(complaint);
 }
 
+/// The picture with the indices and exponents of its words set as such: gnuplot's own markup would take
+/// every underscore of a name for one.
+std::string with_formulas(std::string_view svg) {
+  std::string result;
+  for (;;) {
+    const std::size_t begin = svg.find("<text>");
+    const std::size_t end = begin == std::string_view::npos ? begin : svg.find("</text>", begin);
+    if (end == std::string_view::npos) return result.append(svg);
+    result.append(svg.substr(0, begin)).append(formula_text(svg.substr(begin, end - begin)));
+    svg.remove_prefix(end);
+  }
+}
+
 }  // namespace
 
 void draw_chart(const Chart& chart, const fs::path& directory) {
@@ -100,10 +115,12 @@ void draw_chart(const Chart& chart, const fs::path& directory) {
                              first_complaint(run.err, script));
   }
   // It does not notice a full disk.
-  if (io::read_file(picture).find("</svg>") == std::string::npos) {
+  const std::string drawn = io::read_file(picture);
+  if (drawn.find("</svg>") == std::string::npos) {
     throw std::runtime_error("cannot write " + picture.string() +
                              ": gnuplot did not write it to its end");
   }
+  io::write_file(picture, with_formulas(drawn));
 }
 
 }  // namespace wavecurve::reports

@@ -126,7 +126,7 @@ Chart floors_chart(const std::vector<StudyPoint>& points) {
   chart.id = "floors";
   chart.data = {
       "Where each curve ends: the largest L2 error of the displacement for 0 <= t <= 1, "
-      "of the initial one. Models end at a floor; solvers with steps can go on",
+      "relative to the initial one. Models end at a floor; solvers with steps can go on",
       {"setting"},
       {}};
   for (const std::string& model : models) chart.data.columns.push_back(model + ", model error");
@@ -155,8 +155,8 @@ Chart floors_chart(const std::vector<StudyPoint>& points) {
   plots.push_back(fmt::format("{} with lines linetype 5 title \"{:.0f} %, hardly seen\"",
                               small_error, 100 * small_error));
   chart.script = fmt::format(
-      "{}set logscale y\nset format y \"10^{{%T}}\"\nset ylabel \"largest error, of the initial "
-      "displacement\"\nset xtics rotate by -25 noenhanced font \",11\"\nset yrange [*:10]\nset "
+      "{}set logscale y\nset format y \"10^{{%T}}\"\nset ylabel \"largest error relative to the "
+      "initial displacement\"\nset xtics rotate by -25 noenhanced font \",12\"\nset yrange [*:10]\nset "
       "xrange [-0.5:{}]\nplot {}",
       more_lines, static_cast<double>(settings.size()) - 0.5, joined(plots));
   return chart;
@@ -168,8 +168,8 @@ Chart work_precision_chart(const std::vector<StudyPoint>& points, const StudySet
   Chart chart;
   chart.id = fmt::format("work-precision-{}", number_of_chart);
   chart.data = {
-      "Work against precision: the largest L2 error of the displacement, of the initial "
-      "one, over the arithmetic operations of the whole solve; " +
+      "Work against precision: the largest L2 error of the displacement, relative to the "
+      "initial one, over the arithmetic operations of the whole solve; " +
           name_of(setting),
       {"solver", "tolerance", "operations", "evaluations", "seconds", "L2, largest", "L2, final",
        "maximum norm", "velocity", "energy norm", "energy drift"},
@@ -222,7 +222,7 @@ Chart work_precision_chart(const std::vector<StudyPoint>& points, const StudySet
   }
   chart.script = fmt::format(
       "{}set logscale xy\nset format xy \"10^{{%T}}\"\nset xlabel \"operations\"\n"
-      "set ylabel \"largest error, of the initial displacement\"\nset yrange [*:10]\n"
+      "set ylabel \"largest error relative to the initial displacement\"\nset yrange [*:10]\n"
       "set key outside right top vertical font \",12\"\n{}plot {}",
       more_lines, labels, joined(plots));
   return chart;
@@ -233,7 +233,7 @@ Chart model_error_chart(const std::vector<StudyPoint>& points, const StudySettin
   Chart chart;
   chart.id = fmt::format("model-error-{}", number_of_chart);
   chart.data = {
-      "The model's error over time: L2 norm of the displacement's, of the initial "
+      "The model's error over time: its L2 norm relative to that of the initial "
       "displacement; " +
           name_of(setting),
       {"t"},
@@ -261,7 +261,7 @@ Chart model_error_chart(const std::vector<StudyPoint>& points, const StudySettin
   }
   chart.script =
       "set xlabel \"time t, of which 1 is a swing of the slowest mode\"\n"
-      "set ylabel \"error, of the initial displacement\"\nset yrange [0:*]\nplot " +
+      "set ylabel \"error relative to the initial displacement\"\nset yrange [0:*]\nplot " +
       joined(plots);
   return chart;
 }

@@ -150,7 +150,7 @@ Table extremes_table(const std::vector<StudyPoint>& points, const StudySummary& 
   std::map<std::string, std::vector<const ErrorFloor*>> floors;
   for (const ErrorFloor& floor : summary.floors) floors[floor.solver].push_back(&floor);
   Table table{
-      "Where each model errs most and least: its largest L2 error, of the initial displacement",
+      "Where each model errs most and least: its largest L2 error relative to the initial displacement",
       {"model", "", "error", "setting"},
       {}};
   for (auto& [model, all] : floors) {

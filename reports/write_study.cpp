@@ -77,7 +77,7 @@ std::vector<std::string> answer(const std::vector<StudyPoint>& points,
     if (floors.empty()) continue;
     const auto [least, largest] = std::ranges::minmax(floors);
     sentences.push_back(fmt::format(
-        "{}: floor {}, its model error, of the initial displacement; at most {:.0f} % in {} of {} "
+        "{}: floor {}, its model error relative to the initial displacement; at most {:.0f} % in {} of {} "
         "settings{}.",
         model,
         floors.size() > 1 ? fmt::format("{:.2g} to {:.2g}", least, largest)

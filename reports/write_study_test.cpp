@@ -63,9 +63,10 @@ TEST(WriteStudy, AnswersInASentence) {
   const auto points = some_points();
   const auto text = answer(points, summarize(points));
   ASSERT_EQ(text.size(), 2u);
-  EXPECT_EQ(text[0],
-            "decoupled: floor 0.01 to 1.7, its model error, of the initial displacement; at most 5 "
-            "% in 1 of 2 settings: my \"drawing\".svg.");
+  EXPECT_EQ(
+      text[0],
+      "decoupled: floor 0.01 to 1.7, its model error relative to the initial displacement; at most 5 "
+      "% in 1 of 2 settings: my \"drawing\".svg.");
   EXPECT_EQ(text[1], "Solvers with steps have no such floor: coupled reaches 1e-05.");
   EXPECT_TRUE(answer({points[0]}, summarize({points[0]})).empty());
 }

@@ -22,6 +22,9 @@ fi
 mkdir -p build/mutants
 [ -d build/mutants/tree ] || git clone -q . build/mutants/tree
 git -C build/mutants/tree fetch -q origin HEAD
-git -C build/mutants/tree checkout -q --force --detach FETCH_HEAD
+# What is planted and built already is kept.
+if [ "$(git -C build/mutants/tree rev-parse HEAD)" != "$(git rev-parse HEAD)" ]; then
+  git -C build/mutants/tree checkout -q --force --detach FETCH_HEAD
+fi
 exec /usr/bin/python3 tools/mutation/try_mutants.py build/mutants/tree "$count" "$seed" \
   docs/reliability/mutations.json

@@ -121,10 +121,9 @@ def draw_mutants(tree, count, seed):
     return mutants
 
 
-def plant(path, mutants):
-    """The file with its mutants; its lines keep their numbers."""
-    text = path.read_bytes()
+def planted(text, mutants):
+    """A source with its mutants; its lines keep their numbers."""
     for mutant in sorted(mutants, key=lambda m: -m["start"]):
         new = f"(mutation::is({mutant['number']}) ? {mutant['to']} : {mutant['from']})"
         text = text[:mutant["start"]] + new.encode() + text[mutant["end"]:]
-    path.write_bytes(f'#include "{MUTANT_HEADER}"\n#line 1\n'.encode() + text)
+    return f'#include "{MUTANT_HEADER}"\n#line 1\n'.encode() + text

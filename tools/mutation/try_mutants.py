@@ -10,6 +10,7 @@ passes everything has survived. Exit codes: 0 at least 95 of 100 are noticed, 1 
 be built or fails its tests without a mutant.
 """
 import concurrent.futures
+import json
 import os
 import pathlib
 import re
@@ -18,7 +19,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from mutants import ROOMS, draw_mutants, plant  # noqa: E402
+from mutants import ROOMS, draw_mutants, planted  # noqa: E402
 from trial_record import write_record  # noqa: E402
 
 # Assertions of Eigen and of the standard library notice what reads beyond an end.
@@ -35,13 +36,30 @@ def configure(tree):
                 "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}"])
 
 
+def source_at_head(tree, file):
+    return subprocess.run(["git", "-C", tree, "show", f"HEAD:{file}"], check=True, capture_output=True).stdout
+
+
+def drawn_before(tree, count, seed):
+    """The mutants, drawn at most once for a revision: that takes minutes."""
+    revision = run(["git", "-C", tree, "rev-parse", "HEAD"]).stdout.strip()
+    record = tree.parent / f"drawn-{revision}-{count}-{seed}.json"
+    if not record.exists():
+        record.write_text(json.dumps(draw_mutants(tree, count, seed)))
+    return json.loads(record.read_text())
+
+
 def plant_all(tree, mutants):
-    run(["git", "-C", tree, "checkout", "-q", "--", "lib"])
-    of_a_file = {}
+    """Each source with its mutants, or without any; what stands there already is not written anew."""
+    of_a_file = {file: [] for file in run(["git", "-C", tree, "ls-files", "lib/wavecurve"]).stdout.split()}
     for mutant in mutants:
-        of_a_file.setdefault(mutant["file"], []).append(mutant)
+        of_a_file[mutant["file"]].append(mutant)
     for file, some in of_a_file.items():
-        plant(tree / file, some)
+        text = source_at_head(tree, file) if some else b""
+        if some and (tree / file).read_bytes() != planted(text, some):
+            (tree / file).write_bytes(planted(text, some))
+        elif not some and b"mutation::is(" in (tree / file).read_bytes():
+            (tree / file).write_bytes(source_at_head(tree, file))
 
 
 def build(tree, mutants):
@@ -56,7 +74,6 @@ def build(tree, mutants):
         if len(kept) == len(mutants):
             print(built.stdout[-4000:], file=sys.stderr)
             sys.exit(3)
-        print(f"{len(mutants) - len(kept)} mutants do not compile", flush=True)
         mutants = kept
 
 
@@ -109,13 +126,14 @@ def main():
         print(__doc__.splitlines()[2], file=sys.stderr)
         return 2
     tree, count, seed, record = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
-    drawn = draw_mutants(tree, count, seed)
+    drawn = drawn_before(tree, count, seed)
     print(f"{len(drawn)} mutants drawn", flush=True)
     configured = configure(tree)
     if configured.returncode != 0:
         print(configured.stderr, file=sys.stderr)
         return 3
     mutants = build(tree, drawn)
+    print(f"{len(drawn) - len(mutants)} of {len(drawn)} mutants do not compile", flush=True)
     seconds = seconds_without_mutants(tree)
     print(f"{len(mutants)} mutants built; the tests take {sum(seconds.values()):.0f} s without one", flush=True)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

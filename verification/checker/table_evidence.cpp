@@ -15,6 +15,17 @@ std::string name_of(const PublishedEntry& entry) {
   return fmt::format("{}_{}", to_string(entry.quantity), entry.index.text());
 }
 
+/// The same in the letters of a formula: "α_3", "μ_1/μ_0".
+std::string symbol_of(const PublishedEntry& entry) {
+  const std::string quantity = to_string(entry.quantity), index = entry.index.text();
+  if (quantity == "alpha") return "α_" + index;
+  if (quantity == "mu") return "μ_" + index;
+  if (quantity == "nu") return "ν_" + index;
+  if (quantity == "mu/mu0") return "μ_" + index + "/μ_0";
+  if (quantity == "nu/nu0") return "ν_" + index + "/ν_0";
+  return name_of(entry);
+}
+
 }  // namespace
 
 Table row_table(const CheckedTable& table) {
@@ -74,7 +85,7 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
     if (row.ulps == 0) continue;
     const double unit = 1 / whole_power(10, row.entry.number.decimals());
     chart.data.rows.push_back(
-        {std::to_string(number), name_of(row.entry), fmt::format("{:.3e}", row.ulps * unit),
+        {std::to_string(number), symbol_of(row.entry), fmt::format("{:.3e}", row.ulps * unit),
          fmt::format("{:.1e}", unit / 2), std::string(to_string(row.verdict))});
   }
   chart.script =
@@ -84,7 +95,7 @@ Chart deviation_chart(const CheckedTable& table, const std::string& id) {
       "set format y '10^{%L}'\n"
       "set xlabel 'entry of the table'\n"
       "set ylabel '|print - true value|'\n"
-      "set xtics rotate by -60 noenhanced font ',9'\n"
+      "set xtics rotate by -60 noenhanced\n"
       "set grid y\n"
       "plot data using 0:3:xtic(2) with points, data using 0:4 with lines\n";
   return chart;

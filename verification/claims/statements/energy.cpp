@@ -133,7 +133,7 @@ Chart energy_chart() {
   const dynamics::InitialValueProblem problem = problem_of("db4", 32, "star", 0, 0, times);
   Chart chart;
   chart.id = "energy";
-  chart.data = {"Energy of the undamped star, of that at the start; D8, N = 32", {"t"}, {}};
+  chart.data = {"Energy of the undamped star relative to that at the start; D8, N = 32", {"t"}, {}};
   std::vector<VectorXd> values;
   for (const auto& [solver, accuracy] : curves) {
     chart.data.columns.push_back(accuracy == 1e-9 ? solver
@@ -148,7 +148,7 @@ Chart energy_chart() {
   }
   chart.script = fmt::format(
       "set linetype 6 linecolor rgb \"#8a6d00\" linewidth 2 dashtype 1 pointtype 6 pointsize 0.7\n"
-      "set xlabel \"t\"\nset ylabel \"energy, of that at the start\"\nset yrange [0:*]\n"
+      "set xlabel \"t\"\nset ylabel \"energy relative to that at the start\"\nset yrange [0:*]\n"
       "plot for [i=2:{}] data using 1:i with linespoints pointinterval 8\n",
       curves.size() + 1);
   return chart;

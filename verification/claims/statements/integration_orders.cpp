@@ -155,7 +155,7 @@ Chart order_chart(const std::vector<Method>& all) {
   Chart chart;
   chart.id = "integration-orders";
   chart.data = {
-      "L2 error of the displacement at t = 1, of the initial one, over the number of steps; "
+      "L2 error of the displacement at t = 1, relative to the initial one, over the number of steps; "
       "star, D8, N = 32",
       {"steps"},
       {}};
@@ -179,7 +179,7 @@ Chart order_chart(const std::vector<Method>& all) {
   chart.script =
       "set linetype 6 linecolor rgb \"#8a6d00\" linewidth 2 dashtype 1 pointtype 6 pointsize 0.8\n"
       "set logscale xy\nset logscale x 2\nset format y \"10^{%T}\"\nset xlabel \"steps\"\n"
-      "set ylabel \"error, of the initial displacement\"\nplot " +
+      "set ylabel \"error relative to the initial displacement\"\nplot " +
       plots + "\n";
   return chart;
 }

@@ -56,7 +56,7 @@ struct PlantedGait {
 
   LimbTracks tracks() const {
     std::mt19937 generator(seed);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal(0, 1);
     const int frames = static_cast<int>(cycles * frames_a_cycle) + 1;
     LimbTracks result{Eigen::VectorXd(frames), {}};
     for (int i = 0; i < frames; ++i) result.times[i] = period * i / frames_a_cycle;
@@ -65,7 +65,7 @@ struct PlantedGait {
       for (double time : result.times) {
         track.outlines.push_back(pose(limb, time));
         if (noise == 0) continue;
-        for (double& value : track.outlines.back().reshaped()) value += normal(generator);
+        for (double& value : track.outlines.back().reshaped()) value += noise * normal(generator);
       }
       result.limbs.push_back(std::move(track));
     }
