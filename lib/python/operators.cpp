@@ -5,8 +5,10 @@
 #include <string>
 
 #include "wavecurve/dynamics/schulz_inverse.hpp"
+#include "wavecurve/operators/differentiation.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"
+#include "wavecurve/operators/nonstandard_form.hpp"
 #include "wavecurve/operators/spectrum.hpp"
 #include "wavecurve/transform/synthesis_matrix.hpp"
 
@@ -30,6 +32,20 @@ Sparse matrix(const PythonFilter& filter, Eigen::Index samples, int levels, int 
 Sparse damping_matrix(const PythonFilter& filter, Eigen::Index samples, int levels, double s1,
                       double s2) {
   return interruptible([=, bank = filter.bank] { return damping(bank, samples, levels, s1, s2); });
+}
+
+Sparse differentiation(const PythonFilter& filter, Eigen::Index samples, int derivative,
+                       bool collocation) {
+  return interruptible([=, bank = filter.bank] {
+    return circulant_matrix(collocation ? collocation_differentiation(bank, samples, derivative)
+                                        : galerkin_differentiation(bank, samples, derivative));
+  });
+}
+
+Sparse nonstandard(const PythonFilter& filter, Eigen::Index samples, int levels, int derivative) {
+  return interruptible([=, bank = filter.bank] {
+    return nonstandard_matrix(nonstandard_form(bank, derivative), samples, levels);
+  });
 }
 
 Sparse synthesis(const PythonFilter& filter, Eigen::Index samples, int levels) {
@@ -106,6 +122,10 @@ void add_operators(py::module_& module) {
              py::arg("p"), py::arg("q"));
   module.def("damping", &damping_matrix, py::arg("filter"), py::arg("samples"), py::arg("levels"),
              py::arg("s1"), py::arg("s2"));
+  module.def("differentiation", &differentiation, py::arg("filter"), py::arg("samples"),
+             py::arg("derivative"), py::arg("collocation"));
+  module.def("nonstandard", &nonstandard, py::arg("filter"), py::arg("samples"), py::arg("levels"),
+             py::arg("derivative"));
   module.def("synthesis_matrix", &synthesis, py::arg("filter"), py::arg("samples"),
              py::arg("levels"));
   module.def("spectrum_ends", &spectrum_ends, py::arg("filter"), py::arg("samples"),

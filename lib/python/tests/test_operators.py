@@ -33,6 +33,15 @@ def test_the_operator_is_the_matrix(derivatives):
     assert numpy.max(numpy.abs(operator.H @ x[:, 0] - matrix.T @ x[:, 0])) < 1e-12 * scale
 
 
+@pytest.mark.parametrize("form", ["galerkin", "collocation", "nonstandard"])
+def test_derivatives_are_the_programs(form, program, tmp_path):
+    file = tmp_path / "d.mtx"
+    program("matrix", "db4", "--samples", 32, "--form", form, "--output", file, text=True)
+    found = (wavecurve.nonstandard_matrix("db4", 32) if form == "nonstandard"
+             else wavecurve.differentiation_matrix("db4", 32, collocation=form == "collocation"))
+    assert scipy.sparse.issparse(found) and (abs(found - scipy.io.mmread(file)) > 0).nnz == 0
+
+
 def test_scipy_solves_with_the_operator():
     operator, gram = wavecurve.linear_operator("db4", 256), wavecurve.gram("db4", 256)
     assert (gram != scipy.sparse.identity(256)).nnz == 0
@@ -79,6 +88,9 @@ def test_schulz_tells_of_a_singular_matrix():
     (lambda: wavecurve.stiffness("db4", 12), ValueError),
     (lambda: wavecurve.stiffness("db4", 16, 5), ValueError),
     (lambda: wavecurve.multiscale_matrix("db4", 16, 2, (9, 0)), ValueError),
+    (lambda: wavecurve.differentiation_matrix("db4", 0), ValueError),
+    (lambda: wavecurve.differentiation_matrix("haar", 8), ArithmeticError),
+    (lambda: wavecurve.nonstandard_matrix("cdf9.7", 16), ValueError),
     (lambda: wavecurve.linear_operator("db4", 16) @ numpy.zeros(8), ValueError),
     (lambda: wavecurve.extreme_eigenvalues("db4", 16, 2, 7), ValueError),
 ])

@@ -22,8 +22,8 @@ from .filters import FilterBank, Taps, filter_aliases, filter_names
 from .morphs import Animation, FrameLayer, Morph, morph
 from .number_lists import IdentifiedList, Match, identify
 from .numbers import Number, NumberTable
-from .operators import (SchulzInverse, damping, extreme_eigenvalues, gram, linear_operator, multiscale_matrix,
-                        schulz_inverse, stiffness, synthesis_matrix, vibration_eigenvalues)
+from .operators import (SchulzInverse, damping, differentiation_matrix, extreme_eigenvalues, gram, linear_operator,
+                        multiscale_matrix, nonstandard_matrix, schulz_inverse, stiffness, synthesis_matrix, vibration_eigenvalues)
 from .solver_study import study, study_points
 from .tables import CheckedColumn, CheckedRow, CheckedTable, check
 from .transform import Transform, bands, forward, inverse
@@ -34,9 +34,9 @@ __all__ = [
     "Animation", "CheckedColumn", "CheckedRow", "CheckedTable", "Coefficients", "ContourDescriptor", "Curve", "Descriptor",
     "Drawing", "FilterBank", "FrameLayer", "IdentifiedList", "LagrangeSystem", "LayerDescriptor", "Match", "Morph", "Number",
     "NumberTable", "SchulzInverse", "ShapeDistance", "SolutionStopped", "Solver", "Taps", "Trajectory", "Transform", "bands",
-    "check", "coefficients", "count_crossings", "damping", "data_folder", "describe", "elliptic_fourier_distance",
+    "check", "coefficients", "count_crossings", "damping", "data_folder", "describe", "differentiation_matrix", "elliptic_fourier_distance",
     "extreme_eigenvalues", "filter_aliases", "filter_names", "forward", "gram", "identify", "integrals", "inverse",
-    "linear_operator", "moments", "morph", "multiscale_matrix", "normalized_contour", "operator_coefficients", "quadrature",
+    "linear_operator", "moments", "morph", "multiscale_matrix", "nonstandard_matrix", "normalized_contour", "operator_coefficients", "quadrature",
     "quantity", "read_drawing", "reproduction", "sample_contour", "schulz_inverse", "shape_distance", "solvers", "stiffness",
     "study", "study_points", "synthesis_matrix", "to_coefficients", "to_samples", "vibration_eigenvalues",
 ]

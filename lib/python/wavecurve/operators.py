@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     import scipy.sparse
     import scipy.sparse.linalg
 
-__all__ = ["SchulzInverse", "damping", "extreme_eigenvalues", "gram", "linear_operator", "multiscale_matrix", "schulz_inverse",
-           "stiffness", "synthesis_matrix", "vibration_eigenvalues"]
+__all__ = ["SchulzInverse", "damping", "differentiation_matrix", "extreme_eigenvalues", "gram", "linear_operator",
+           "multiscale_matrix", "nonstandard_matrix", "schulz_inverse", "stiffness", "synthesis_matrix", "vibration_eigenvalues"]
 
 
 def levels_of(samples: int, levels: int | None) -> int:
@@ -85,6 +85,74 @@ def damping(
     scipy.sparse.csc_matrix
     """
     return _native.damping(bank_of(filter), samples, levels_of(samples, levels), s1, s2)
+
+
+def differentiation_matrix(
+    filter: FilterLike, samples: int, derivative: int = 1, *, collocation: bool = False
+) -> "scipy.sparse.csc_matrix":
+    """A circulant that differentiates functions of period 1, on any number of samples.
+
+    Parameters
+    ----------
+    filter : str, os.PathLike or FilterBank
+    samples : int
+        The size N.
+    derivative : int
+        The order d.
+    collocation : bool
+        From the values f(n/N) to the values of the derivative of the function of the space that has them. Otherwise
+        Galerkin's method: from the coefficients of f to those of the derivative's projection.
+
+    Returns
+    -------
+    scipy.sparse.csc_matrix
+
+    Raises
+    ------
+    ValueError
+        For sizes and orders that do not fit.
+    ArithmeticError
+        Where phi is not smooth enough, or no function of the space has given values.
+
+    Examples
+    --------
+    >>> import numpy, wavecurve
+    >>> x = numpy.arange(50) / 50
+    >>> slope = wavecurve.differentiation_matrix("db4", 50) @ numpy.sin(2 * numpy.pi * x)
+    >>> bool(numpy.max(numpy.abs(slope - 2 * numpy.pi * numpy.cos(2 * numpy.pi * x))) < 1e-8)
+    True
+    """
+    return _native.differentiation(bank_of(filter), samples, derivative, collocation)
+
+
+def nonstandard_matrix(
+    filter: FilterLike, samples: int, levels: int | None = None, derivative: int = 1
+) -> "scipy.sparse.csc_matrix":
+    """The non-standard form of a derivative (Beylkin, Coifman and Rokhlin 1991) as one matrix.
+
+    Parameters
+    ----------
+    filter : str, os.PathLike or FilterBank
+        Orthonormal.
+    samples : int
+        A power of two.
+    levels : int, optional
+        Levels of decomposition; all by default.
+    derivative : int
+
+    Returns
+    -------
+    scipy.sparse.csc_matrix
+        On the diagonal a block [A B; C 0] for each level, the coarsest first, whose zero is the scaling functions' block.
+
+    Raises
+    ------
+    ValueError
+        For sizes that do not fit, and a filter that is not orthonormal.
+    ArithmeticError
+        Where phi is not smooth enough.
+    """
+    return _native.nonstandard(bank_of(filter), samples, levels_of(samples, levels), derivative)
 
 
 def synthesis_matrix(filter: FilterLike, samples: int, levels: int | None = None) -> "scipy.sparse.csc_matrix":
