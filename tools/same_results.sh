@@ -42,6 +42,9 @@ results() { # FOLDER COMMAND...: every result as a file
     -o "$folder/physical.json" >/dev/null
   "$@" describe "$examples/ring.svg" -o "$folder/describe.json" >/dev/null
   "$@" stiffness coif2 --samples 64 >"$folder/stiffness.txt"
+  for form in galerkin collocation standard nonstandard; do
+    "$@" matrix db4 --samples 64 --form $form --output "$folder/$form.mtx" >"$folder/$form.txt"
+  done
   "$@" check "$root/verification/published/table_2.csv" --format json >"$folder/check.json" || [ $? -eq 1 ]
   if [ "$other" != valgrind ]; then
     "$@" verify --output "$folder/report" >"$folder/verify.txt"

@@ -60,6 +60,7 @@ def commands(examples):
                 "stiffness db4 --samples 32 --output o.mtx"),
         Command("stiffness .svg", "stiffness db4 --samples 16 --output o.svg",
                 "stiffness db4 --samples 32 --output o.svg"),
+        Command("matrix", "matrix db4 --samples 16 --output o.mtx", "matrix db4 --samples 32 --output o.mtx"),
         Command("gait fit", f"gait fit {walk} --scale 16 -o o.json", f"gait fit {walk} --scale 8 -o o.json"),
         Command("gait synthesize", f"gait synthesize g.json {examples}/dog.svg --frames 3 -o o.json",
                 f"gait synthesize g.json {examples}/dog.svg --frames 4 -o o.json"),

@@ -58,6 +58,8 @@ void Coverage::add_span(int y, double from, double to) {
   if (!(to > from)) return;
   float* shares = shares_.data() + static_cast<std::ptrdiff_t>(y) * width_;
   const int first = static_cast<int>(from), last = static_cast<int>(to);
+  first_column_ = std::min(first_column_, first);
+  end_column_ = std::max(end_column_, std::min(last + 1, width_));
   constexpr float line = 1.0F / lines;
   if (first == last) {
     shares[first] += static_cast<float>(to - from) * line;
@@ -68,7 +70,18 @@ void Coverage::add_span(int y, double from, double to) {
   if (last < width_) shares[last] += static_cast<float>(to - last) * line;
 }
 
+/// Only what was covered: a drawing has hundreds of layers, most of them small.
+void Coverage::clear() {
+  for (int y = first_row_; y < end_row_ && first_column_ < end_column_; ++y) {
+    float* shares = shares_.data() + static_cast<std::ptrdiff_t>(y) * width_;
+    std::fill(shares + first_column_, shares + end_column_, 0.0F);
+  }
+  first_row_ = end_row_ = end_column_ = 0;
+  first_column_ = width_;
+}
+
 void Coverage::fill(const std::vector<Contour>& polygons, FillRule rule) {
+  clear();
   const std::vector<Edge> edges = edges_of(polygons);
   if (edges.empty()) return;
   double bottom = 0;

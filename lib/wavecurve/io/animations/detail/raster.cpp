@@ -20,12 +20,17 @@ using Pixel = std::array<float, 4>;
 
 /// An image under way.
 struct Canvas {
+  explicit Canvas(const RasterSize& its_size)
+      : size(its_size),
+        coverage(size.width, size.height),
+        pixels(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
+
   RasterSize size;
+  Coverage coverage;
   std::vector<Pixel> pixels;
 
   void paint(const std::vector<Contour>& polygons, FillRule rule, const Colour& colour,
              double opacity) {
-    Coverage coverage(size.width, size.height);
     coverage.fill(polygons, rule);
     const auto channel = [](double value) {
       return static_cast<float>(std::clamp(value, 0.0, 1.0));
@@ -34,7 +39,7 @@ struct Canvas {
     for (int y = coverage.first_row(); y < coverage.end_row(); ++y) {
       const float* shares = coverage.row(y);
       Pixel* row = pixels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
-      for (int x = 0; x < size.width; ++x) {
+      for (int x = coverage.first_column(); x < coverage.end_column(); ++x) {
         const float alpha = std::min(shares[x], 1.0F) * channel(opacity);
         if (alpha == 0) continue;
         for (std::size_t c = 0; c < 4; ++c) row[x][c] = alpha * source[c] + (1 - alpha) * row[x][c];
@@ -61,8 +66,10 @@ struct Placement {
   double scale, x, y;
 };
 
+/// To nearest, ties up; in double precision the sum with 1/2 is exact.
 std::uint8_t byte(float value) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+  const float scaled = 255 * std::clamp(value, 0.0F, 1.0F);
+  return static_cast<std::uint8_t>(static_cast<double>(scaled) + 0.5);
 }
 
 }  // namespace
@@ -113,8 +120,7 @@ Raster over(Raster raster, const std::optional<Colour>& background) {
 
 Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,
               const RasterSize& size) {
-  const auto count = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  Canvas canvas{size, std::vector<Pixel>(count, Pixel{})};
+  Canvas canvas(size);
   const Placement placement(box, size);
   for (const motion::FrameLayer& layer : layers) {
     const std::vector<Contour> polygons = placement.map(layer.contours);
@@ -127,12 +133,12 @@ Raster render(const std::vector<motion::FrameLayer>& layers, const ViewBox& box,
                    paint.stroke_opacity);
     }
   }
-  Raster raster{size.width, size.height, {}};
-  raster.rgba.reserve(4 * count);
+  Raster raster{size.width, size.height, std::vector<std::uint8_t>(4 * canvas.pixels.size())};
+  std::uint8_t* target = raster.rgba.data();
   for (const Pixel& pixel : canvas.pixels) {
     const float alpha = pixel[3], factor = alpha > 0 ? 1 / alpha : 0;
-    for (std::size_t c = 0; c < 3; ++c) raster.rgba.push_back(byte(pixel[c] * factor));
-    raster.rgba.push_back(byte(alpha));
+    for (std::size_t c = 0; c < 3; ++c) *target++ = byte(pixel[c] * factor);
+    *target++ = byte(alpha);
   }
   return raster;
 }
