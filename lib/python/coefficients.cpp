@@ -77,13 +77,15 @@ Rational rational(const std::string& text) {
          Rational::from_decimal(text.substr(slash + 1));
 }
 
-py::list homogeneous_operator(const PythonFilter& filter, const std::optional<std::string>& order,
-                              int up_to, int digits) {
+py::list homogeneous_operator(const PythonFilter& filter, const std::string& kind,
+                              const std::string& order, int up_to, int digits) {
   using Kind = certified::HomogeneousOperator::Kind;
-  return to_python(interruptible([source = filter.source, order, up_to, digits] {
+  return to_python(interruptible([=, source = filter.source] {
     const FilterDefinition definition = source.define();
-    certified::HomogeneousOperator op{Kind::hilbert};
-    if (order) op = {Kind::fractional, rational(*order)};
+    const certified::HomogeneousOperator op{kind == "hilbert" ? Kind::hilbert
+                                            : kind == "riesz" ? Kind::riesz
+                                                              : Kind::fractional,
+                                            rational(order)};
     return certified::rounded_values(
         [&](long bits) {
           return certified::operator_coefficients(definition, op, up_to, bits).taps;
@@ -160,8 +162,8 @@ void add_coefficients(py::module_& module) {
              py::arg("period"), py::arg("digits"));
   module.def("derivative_operator", &derivative_operator, py::arg("filter"), py::arg("order"),
              py::arg("digits"));
-  module.def("homogeneous_operator", &homogeneous_operator, py::arg("filter"), py::arg("order"),
-             py::arg("up_to"), py::arg("digits"));
+  module.def("homogeneous_operator", &homogeneous_operator, py::arg("filter"), py::arg("kind"),
+             py::arg("order"), py::arg("up_to"), py::arg("digits"));
   module.def("moments", &moments, py::arg("filter"), py::arg("wavelet"), py::arg("dual"),
              py::arg("highest"), py::arg("digits"));
   module.def("reproduction", &reproduction, py::arg("filter"), py::arg("digits"));

@@ -262,7 +262,8 @@ void add_coefficients_command(CLI::App& app, ExitCode&) {
           ->check(whole_number_from(0, certified::highest_moment));
   CLI::Option* named_operator = command->add_option(
       "--operator", options->named_operator,
-      "Print int phi(x - l) (T phi)(x) dx of the operator T: hilbert, fractional:S (the derivative of\n"
+      "Print int phi(x - l) (T phi)(x) dx of the operator T: hilbert, riesz:S (of the symbol |w|^S),\n"
+      "hilbert:S (the Hilbert transform of riesz:S), fractional:S (the derivative of\n"
       "order S, or the integral of order -S), derivative:K");
   command
       ->add_option("--up-to", options->operator_range.largest, "With --operator: the largest |l|")

@@ -250,11 +250,11 @@ TEST_F(CoefficientsCommand, RefusesBadInput) {
                  "a factor without a letter");
   expect_refusal("coefficients db4 --integral \"x phi(l) phi\" --on 0,x",
                  "one of phi and psi at x or x - l");
-  expect_refusal("coefficients db4 --operator laplace", "hilbert, fractional:S");
+  expect_refusal("coefficients db4 --operator laplace", "hilbert, hilbert:S, riesz:S");
   expect_refusal("coefficients db4 --operator hilbert --period 20000", "from 1 to 16384");
   expect_refusal("coefficients db4 --operator hilbert --period 8 --up-to 3", "--period");
   expect_refusal("coefficients db4 --period 8", "--period takes --integral or --operator");
-  expect_refusal("coefficients db4 --operator fractional:x", "hilbert, fractional:S");
+  expect_refusal("coefficients db4 --operator fractional:x", "hilbert, hilbert:S, riesz:S");
   expect_refusal("coefficients db4 --operator derivative:9", "from 0 to 8");
   expect_refusal("coefficients db2 --operator fractional:2.5", "but it must exceed 1.25");
   expect_refusal("coefficients db4 --level 3", "--level takes --quantity or --on 0,x");

@@ -51,7 +51,8 @@ def test_integrals_are_the_programs(program, arguments, keywords):
     assert numbers(found) == texts(shown["entries"]) and list(found) == indices(shown["entries"])
 
 
-@pytest.mark.parametrize("operator", ["hilbert", "fractional:1/2", "fractional:-0.5", "derivative:1", "fractional:1"])
+@pytest.mark.parametrize("operator", ["hilbert", "fractional:1/2", "fractional:-0.5", "derivative:1", "fractional:1", "riesz:1/2",
+                                      "hilbert:2"])
 def test_operators_are_the_programs(program, operator):
     shown = program("coefficients", "db3", "--operator", operator, "--up-to", 3, "--digits", 10, "--format", "json")
     found = wavecurve.operator_coefficients("db3", operator, up_to=3, digits=10)

@@ -133,8 +133,8 @@ def operator_coefficients(filter: FilterLike, operator: str, up_to: int = 10, di
     ----------
     filter : str, os.PathLike or FilterBank
     operator : str
-        ``"hilbert"``, ``"fractional:S"`` (the derivative of order S, or the integral of order -S; S a decimal or p/q), or
-        ``"derivative:K"``.
+        ``"hilbert"``, ``"fractional:S"`` (the derivative of order S, or the integral of order -S; S a decimal or p/q),
+        ``"riesz:S"`` (of the symbol ``|w|^S``), ``"hilbert:S"`` (the Hilbert transform of that), or ``"derivative:K"``.
     up_to : int
         The largest ``|l|``.
     digits : int
@@ -162,20 +162,19 @@ def operator_coefficients(filter: FilterLike, operator: str, up_to: int = 10, di
     if kind == "derivative" and order.isdecimal():
         entries = _native.derivative_operator(bank, min(int(order), 99), checked_digits(digits))
         return made_table(name, bank.name, ((index[0], n) for index, n in entries if abs(index[0]) <= up_to))
-    if operator == "hilbert":
-        return made_table(name, bank.name, enumerate(_native.homogeneous_operator(bank, None, up_to, checked_digits(digits)), -up_to))
-    if kind == "fractional":
-        numbers = _native.homogeneous_operator(bank, order, up_to, checked_digits(digits))
+    if kind in ("hilbert", "riesz", "fractional"):
+        order = str(fraction_of("0" if operator == "hilbert" else order, operator))
+        numbers = _native.homogeneous_operator(bank, kind, order, up_to, checked_digits(digits))
         return made_table(name, bank.name, enumerate(numbers, -up_to))
-    raise ValueError(f"operator is '{operator}', but must be hilbert, fractional:S or derivative:K")
+    raise ValueError(f"operator is '{operator}', but must be hilbert, hilbert:S, riesz:S, fractional:S or derivative:K")
 
 
 def fraction_of(order: str, operator: str) -> Fraction:
-    """The order of a fractional derivative."""
+    """The order S of an operator."""
     try:
         return Fraction(order)
     except (ValueError, ZeroDivisionError):
-        raise ValueError(f"operator is '{operator}', but S of fractional:S must be a decimal or p/q") from None
+        raise ValueError(f"operator is '{operator}', but S must be a decimal or p/q") from None
 
 
 def moments(

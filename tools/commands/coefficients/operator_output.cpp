@@ -33,7 +33,7 @@ using certified::FilterDefinition;
 using certified::HomogeneousOperator;
 using certified::Rational;
 
-/// hilbert or fractional, or the order of a derivative.
+/// A homogeneous operator, or the order of a derivative.
 struct NamedOperator {
   HomogeneousOperator homogeneous;
   std::optional<int> derivative;
@@ -51,7 +51,8 @@ Rational parse_order(std::string_view text) {
 
 NamedOperator parse_operator(const std::string& text) {
   using Kind = HomogeneousOperator::Kind;
-  constexpr std::string_view fractional = "fractional:", derivative = "derivative:";
+  constexpr std::string_view fractional = "fractional:", derivative = "derivative:",
+                             riesz = "riesz:", hilbert = "hilbert:";
   const std::string_view view = text;
   if (view == "hilbert") return {{Kind::hilbert}, {}};
   try {
@@ -62,6 +63,10 @@ NamedOperator parse_operator(const std::string& text) {
       const bool is_small = order <= Rational(highest_derivative + 1);
       return {{}, is_small ? std::atoi(order.to_string().c_str()) : highest_derivative + 1};
     }
+    if (view.starts_with(riesz)) return {{Kind::riesz, parse_order(view.substr(riesz.size()))}, {}};
+    if (view.starts_with(hilbert)) {
+      return {{Kind::hilbert, parse_order(view.substr(hilbert.size()))}, {}};
+    }
     if (view.starts_with(derivative)) {
       if (const auto order = parsed_whole_number(view.substr(derivative.size()))) {
         return {{}, static_cast<int>(std::clamp(*order, -1L, highest_derivative + 1L))};
@@ -71,7 +76,8 @@ NamedOperator parse_operator(const std::string& text) {
   }
   throw std::invalid_argument(must_be(
       "--operator", text,
-      "hilbert, fractional:S such as fractional:0.5, or derivative:K such as derivative:2"));
+      "hilbert, hilbert:S, riesz:S, fractional:S such as fractional:0.5, or derivative:K such as "
+      "derivative:2"));
 }
 
 std::vector<certified::IntegralDecimal> derivative_decimals(const FilterDefinition& definition,

@@ -12,8 +12,9 @@ struct OperatorRange {
 };
 
 /// `coefficients NAME --operator O [--up-to L | --period N]`: r_l = int phi(x - l) (T phi)(x) dx, where T is
-///   hilbert, fractional:S (S a decimal or a fraction), or derivative:K.
-/// A fractional derivative of whole order S >= 0 is derivative:S. Throws std::invalid_argument for
+///   hilbert[:S], fractional:S, riesz:S (S a decimal or a fraction), or derivative:K
+/// of the symbols -i sgn(w) |w|^S, (i w)^S, |w|^S and (i w)^K. A fractional derivative of whole order
+/// S >= 0 is derivative:S. Throws std::invalid_argument for
 /// another text, and as io::load_filter, certified::operator_coefficients and
 /// certified::integral_decimals.
 std::string operator_output(const std::string& filter, const std::string& text,

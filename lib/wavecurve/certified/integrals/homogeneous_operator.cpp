@@ -80,20 +80,36 @@ Ball hurwitz_zeta(const Rational& sigma, const Ball& a) {
   return result;
 }
 
+Ball gamma_function(const Rational& x) {
+  Ball result;
+  arb_gamma_fmpq(result.get(), x.get(), WorkingPrecision::bits());
+  return result;
+}
+
+/// K(t) t^(s+1) for t > 0.
+Ball kernel_coefficient(const HomogeneousOperator& op) {
+  using Kind = HomogeneousOperator::Kind;
+  if (op.kind == Kind::fractional) return Ball(1) / gamma_function(-op.order);
+  const Ball angle = Ball::pi() * Ball(op.order / Rational(2));
+  const Ball size = gamma_function(op.order + Rational(1)) / Ball::pi();
+  return op.kind == Kind::riesz ? -size * sin(angle) : size * cos(angle);
+}
+
+/// How K(-t) follows from K(t).
+enum class Parity { even, odd, one_sided };
+
+Parity parity_of(HomogeneousOperator::Kind kind) {
+  using Kind = HomogeneousOperator::Kind;
+  if (kind == Kind::fractional) return Parity::one_sided;
+  return kind == Kind::riesz ? Parity::even : Parity::odd;
+}
+
 class OperatorSystem {
  public:
   OperatorSystem(const HomogeneousOperator& op, const Correlation& f)
-      : f_(f), order_(op.order), is_odd_(op.kind == HomogeneousOperator::Kind::hilbert) {
+      : f_(f), order_(op.order), parity_(parity_of(op.kind)) {
     scale_ = exp(Ball(order_) * log(Ball(2)));
-    Ball coefficient;  // of K^(m)(t) / m! = coefficient t^(-s-1-m)
-    if (is_odd_) {
-      coefficient = Ball(1) / Ball::pi();
-    } else {
-      const Rational argument = -order_;
-      Ball gamma;
-      arb_gamma_fmpq(gamma.get(), argument.get(), WorkingPrecision::bits());
-      coefficient = Ball(1) / gamma;
-    }
+    Ball coefficient = kernel_coefficient(op);  // of K^(m)(t) / m! = coefficient t^(-s-1-m)
     for (std::size_t m = 0; m <= f.moments.size(); ++m) {
       taylor_.push_back(coefficient);
       const long next = static_cast<long>(m) + 1;
@@ -118,7 +134,7 @@ class OperatorSystem {
       } else if (l > 0) {
         result.taps.push_back(beyond);
       } else {
-        result.taps.push_back(is_odd_ ? -beyond : Ball(0));
+        result.taps.push_back(reflected(beyond));
       }
     }
     return result;
@@ -131,7 +147,8 @@ class OperatorSystem {
     const Filter<Ball> near = solve(end - 1, far);
     Filter<Ball> result{0, {}};
     for (int l = 0; l < n; ++l) {
-      if (n == 1 || (is_odd_ && 2 * l % n == 0)) {  // constants vanish; r_l = -r_{n-l}
+      const bool is_own_opposite = parity_ == Parity::odd && 2 * l % n == 0;  // r_l = -r_{n-l}
+      if (n == 1 || is_own_opposite) {                                        // constants vanish
         result.taps.emplace_back(0);
         continue;
       }
@@ -140,7 +157,7 @@ class OperatorSystem {
       for (int i = n - before; i < end; i += n) sum += near[i];
       const WorkingPrecision precision(bits);
       sum += distant_sum(l + end, n);
-      if (is_odd_) sum -= distant_sum(before, n);
+      if (parity_ != Parity::one_sided) sum += reflected(distant_sum(before, n));
       result.taps.push_back(std::move(sum));
     }
     result.taps.push_back(abs(near[0]) + abs(near[1]));
@@ -152,7 +169,7 @@ class OperatorSystem {
   static constexpr int distant_reaches = 64;
 
   /// sum_{j >= 0} r_{start + n j}, the series being summed term by term: K^(m) gives zeta(s + 1 + m, start / n).
-  /// For m = 0 of the Hilbert transform that is infinite, and -digamma(start / n) stands for it: both differ by the
+  /// For m = 0 of an odd kernel of order 0 that is infinite, and -digamma(start / n) stands for it: both differ by the
   /// same from the sum up to any j, so that the difference of two sums is right.
   Ball distant_sum(int start, int n) const {
     const long bits = WorkingPrecision::bits();
@@ -164,7 +181,7 @@ class OperatorSystem {
     Ball sum(0);
     for (std::size_t m = 0; m < terms; ++m) {
       const Rational exponent = sigma + Rational(static_cast<long>(m));
-      if (exponent == Rational(1) && is_odd_) {
+      if (exponent == Rational(1) && parity_ == Parity::odd) {
         Ball digamma;
         arb_digamma(digamma.get(), a.get(), bits);
         sum -= taylor_[m] * power * f_.moments[m] * digamma;
@@ -181,6 +198,12 @@ class OperatorSystem {
                            f_.absolute_integral;
     arb_add_error(sum.get(), remainder.get());
     return sum;
+  }
+
+  /// r_{-l} of r_l, l > W.
+  Ball reflected(const Ball& value) const {
+    if (parity_ == Parity::one_sided) return Ball(0);
+    return parity_ == Parity::odd ? -value : value;
   }
 
   Ball series(int l) const {
@@ -210,11 +233,17 @@ class OperatorSystem {
     return scale_ * sum;
   }
 
-  /// r_l for |l| <= W. Unknowns are those with l > 0 of an odd sequence, and those with l > -W
-  /// where K(t) vanishes for t < 0.
+  /// The least l of an unknown: of odd and even sequences one side is enough, and where K(t) vanishes for
+  /// t < 0 it vanishes from -W on.
+  int first_unknown() const {
+    if (parity_ == Parity::one_sided) return 1 - f_.reach();
+    return parity_ == Parity::odd ? 1 : 0;
+  }
+
+  /// r_l for |l| <= W.
   Filter<Ball> solve_middle(const std::vector<Ball>& known) const {
     const int reach = f_.reach();
-    const int first = is_odd_ ? 1 : 1 - reach;
+    const int first = first_unknown();
     SquareMatrix<Ball> matrix(reach - first + 1);
     std::vector<Ball> right(static_cast<std::size_t>(matrix.size()), Ball(0));
     for (int l = first; l <= reach; ++l) {
@@ -227,8 +256,8 @@ class OperatorSystem {
           right[static_cast<std::size_t>(row)] += factor * known[static_cast<std::size_t>(j)];
         } else if (j >= first) {
           matrix(row, j - first) -= factor;
-        } else if (is_odd_ && j < 0) {
-          matrix(row, -j - first) += factor;
+        } else if (parity_ != Parity::one_sided && j < 0) {
+          matrix(row, -j - first) -= reflected(factor);
         }
       }
     }
@@ -241,8 +270,8 @@ class OperatorSystem {
     for (int l = -reach; l <= reach; ++l) {
       if (l >= first) {
         result.taps.push_back((*solution)[static_cast<std::size_t>(l - first)]);
-      } else if (is_odd_ && l < 0) {
-        result.taps.push_back(-(*solution)[static_cast<std::size_t>(-l - first)]);
+      } else if (l < 0 && -l - first < matrix.size()) {
+        result.taps.push_back(reflected((*solution)[static_cast<std::size_t>(-l - first)]));
       } else {
         result.taps.push_back(Ball(0));
       }
@@ -252,28 +281,44 @@ class OperatorSystem {
 
   const Correlation& f_;
   Rational order_;
-  bool is_odd_;
+  Parity parity_;
   Ball scale_;
   std::vector<Ball> taylor_;
 };
 
+/// What the operator is where the two-scale system is singular for it: a derivative.
+bool is_derivative(const HomogeneousOperator& op) {
+  using Kind = HomogeneousOperator::Kind;
+  const bool is_whole = fmpz_is_one(fmpq_denref(op.order.get())) != 0 && op.order.sign() >= 0;
+  if (!is_whole) return false;
+  const bool is_even = fmpz_is_even(fmpq_numref(op.order.get())) != 0;
+  return op.kind == Kind::fractional || is_even == (op.kind == Kind::riesz);
+}
+
 void check_operator(const HomogeneousOperator& op) {
-  if (op.kind == HomogeneousOperator::Kind::hilbert) {
-    if (op.order.is_zero()) return;
-    throw std::invalid_argument(
-        must_be("order of the Hilbert transform", op.order.to_string(), "0"));
-  }
-  if (fmpz_is_one(fmpq_denref(op.order.get())) && op.order.sign() >= 0) {
+  using Kind = HomogeneousOperator::Kind;
+  const std::string order = op.order.to_string();
+  if (is_derivative(op)) {
     throw std::invalid_argument(fmt::format(
-        "order of a fractional derivative is {}, but must not be a whole number >= 0: the two-scale "
-        "system is singular for it; derivative:{} is computed as an integral of a product",
-        op.order.to_string(), op.order.to_string()));
+        "order of {} is {}, but must not be {}: the two-scale system is singular for it; "
+        "derivative:{} is computed as an integral of a product",
+        op.kind == Kind::fractional ? "a fractional derivative"
+        : op.kind == Kind::riesz    ? "Riesz' derivative"
+                                    : "a Hilbert transform",
+        order,
+        op.kind == Kind::fractional ? "a whole number >= 0"
+        : op.kind == Kind::riesz    ? "an even number >= 0"
+                                    : "an odd number",
+        order));
   }
   const Rational most(highest_derivative);
-  if (op.order > most || op.order < -most) {
-    throw std::invalid_argument(must_be("order of a fractional derivative", op.order.to_string(),
-                                        fmt::format("from -{0} to {0}", highest_derivative)));
-  }
+  const bool is_one_sided = op.kind == Kind::fractional;
+  const bool is_high_enough = is_one_sided ? op.order >= -most : op.order > Rational(-1);
+  if (op.order <= most && is_high_enough) return;
+  throw std::invalid_argument(
+      must_be("order of an operator", order,
+              is_one_sided ? fmt::format("from -{0} to {0}", highest_derivative)
+                           : fmt::format("above -1 and at most {}", highest_derivative)));
 }
 
 void require_smoothness(const FilterDefinition& definition, const HomogeneousOperator& op) {

@@ -8,9 +8,14 @@ namespace wavecurve::certified {
 
 // Convolution operators without compact support, in the basis of phi (Beylkin 1992, IV and V):
 //   r_l = int phi(x - l) (T phi)(x) dx,   (T f)(x) = int K(x - y) f(y) dy,
-// with a kernel of degree -s-1, K(t) = 1/(pi t) (Hilbert transform, principal value, s = 0) or
-// K(t) = t^(-s-1) / Gamma(-s) for t > 0, else 0 (derivative of order s, integral of order -s, from
-// minus infinity).
+// with a kernel of degree -s-1, which belongs to a symbol of degree s:
+//   (i w)^s            K(t) = t^(-s-1) / Gamma(-s) for t > 0, else 0: derivative of order s, integral of
+//                      order -s from minus infinity
+//   |w|^s              K(t) = -Gamma(s+1) sin(pi s/2) / pi |t|^(-s-1): Riesz' derivative (-d^2/dx^2)^(s/2),
+//                      his potential for s < 0
+//   -i sgn(w) |w|^s    K(t) = Gamma(s+1) cos(pi s/2) / pi sgn(t) |t|^(-s-1): Hilbert transform of that, itself
+//                      for s = 0, 1/(pi t)
+// as finite parts. Every homogeneous symbol of degree s is a sum of the last two.
 //
 // With the correlation F(u) = int phi(x) phi(x - u) dx, of support [-W, W] and two-scale
 // coefficients c_k,
@@ -23,27 +28,30 @@ namespace wavecurve::certified {
 //   2. From there (R) runs downwards to l > W, since then 2l + k > l.
 //   3. The rest, |l| <= W, is a small system, solved as enclosures; that proves it regular.
 //      Its matrix 1 - 2^s C is singular for s = 0, 1, 2, ..: derivatives, which are integrals of
-//      products. The Hilbert transform is odd; the system of odd sequences is regular for s = 0.
+//      products. An even kernel needs even sequences only, for which it is singular for even s, where
+//      |w|^s is a derivative; an odd one odd sequences, and odd s.
 
 /// What is known of an operator.
 struct HomogeneousOperator {
-  enum class Kind { hilbert, fractional };
+  enum class Kind { hilbert, fractional, riesz };
   Kind kind = Kind::hilbert;
-  Rational order = Rational(0);  ///< s of a fractional derivative
+  Rational order = Rational(0);  ///< s
 };
 
 /// r_l for |l| <= largest, to this many bits relative to the largest of them, as far as the
 /// definition allows. Throws std::domain_error if phi is not known to be smooth enough (its Sobolev
 /// exponent must exceed s/2, as for int phi T phi in the frequency domain); std::invalid_argument
-/// for a whole order s >= 0, which is a derivative, for an order above highest_derivative, and for
-/// largest outside 0 .. largest_shift.
+/// where the operator is a derivative (fractional and a whole s >= 0, riesz and an even s, hilbert
+/// and an odd one), for an order above highest_derivative, for one below -highest_derivative
+/// (fractional) or not above -1 (the others, whose kernels grow from there on), and for largest outside
+/// 0 .. largest_shift.
 Filter<Ball> operator_coefficients(const FilterDefinition& definition,
                                    const HomogeneousOperator& op, int largest, long bits);
 
 inline constexpr int largest_shift = 100'000;
 
 /// The same for functions of a whole period n, the operator being applied to each frequency k != 0 by its
-/// symbol, sgn(k) / i or (2 pi i k / n)^s, and mapping constants to 0 (Weyl):
+/// symbol at w = 2 pi k / n, and mapping constants to 0 (Weyl):
 ///   r_l = sum_j r_{l + n j} = 1/n sum_{k != 0} |phi^(2 pi k / n)|^2 symbol(k) e^(2 pi i k l / n),
 /// l = 0 .. n - 1, k over all whole numbers; the first column of a circulant matrix. The sum over j is taken term
 /// by term of Taylor's series above, which gives Hurwitz' zeta functions, with its remainder. For orders s <= 0

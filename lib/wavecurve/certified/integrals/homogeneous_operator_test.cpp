@@ -18,6 +18,7 @@ namespace {
 constexpr long bits = 110;
 constexpr auto hilbert = HomogeneousOperator::Kind::hilbert;
 constexpr auto fractional = HomogeneousOperator::Kind::fractional;
+constexpr auto riesz = HomogeneousOperator::Kind::riesz;
 
 Filter<Ball> coefficients(const std::string& filter, HomogeneousOperator op, int largest) {
   return operator_coefficients(find_filter(filter), op, largest, bits);
@@ -36,7 +37,8 @@ TEST(HomogeneousOperator, ObeysTheTwoScaleRelationEverywhere) {
   const WorkingPrecision precision(200);
   for (const HomogeneousOperator& op :
        {HomogeneousOperator{hilbert}, HomogeneousOperator{fractional, Rational(1, 2)},
-        HomogeneousOperator{fractional, Rational(-3, 4)}}) {
+        HomogeneousOperator{fractional, Rational(-3, 4)}, HomogeneousOperator{riesz, Rational(1)},
+        HomogeneousOperator{riesz, Rational(-1, 3)}, HomogeneousOperator{hilbert, Rational(2)}}) {
     const FilterDefinition definition = find_filter("db4");
     const auto r = operator_coefficients(definition, op, 60, bits);
     const Filter<Ball> h = definition.bank(200).synthesis_low;
@@ -60,6 +62,38 @@ TEST(HomogeneousOperator, IntegralsOfTheHatAreThoseOfItsPolynomials) {
   EXPECT_TRUE(r[0].contains(Rational(1, 2)));
   EXPECT_TRUE(r[1].contains(Rational(23, 24)));
   EXPECT_TRUE(r[2].contains(Rational(1)));
+}
+
+// |w| has the kernel -1/(pi t^2), the fourth derivative of t^2 ln|t| / (2 pi); the correlation of the hat is
+// the cubic spline, which takes fourth differences.
+TEST(HomogeneousOperator, RieszDerivativeOfTheHatIsADifferenceOfItsKernel) {
+  const WorkingPrecision precision(160);
+  const auto r = coefficients("bspline2.2", {riesz, Rational(1)}, 20);
+  const auto integral = [](int l) {
+    return l == 0 ? Ball(0) : Ball(l) * Ball(l) * log(Ball(std::abs(l))) / (Ball(2) * Ball::pi());
+  };
+  for (int l = -20; l <= 20; ++l) {
+    const Ball expected = integral(l - 2) - Ball(4) * integral(l - 1) + Ball(6) * integral(l) -
+                          Ball(4) * integral(l + 1) + integral(l + 2);
+    EXPECT_TRUE(r[l].overlaps(expected)) << l;
+    EXPECT_LT(r[l].radius_double(), 1e-30) << l;
+  }
+}
+
+// (i w)^s = |w|^s cos(pi s/2) - sin(pi s/2) (-i sgn(w) |w|^s).
+TEST(HomogeneousOperator, TheFractionalDerivativeIsItsEvenAndItsOddPart) {
+  const WorkingPrecision precision(160);
+  for (const Rational& s : {Rational(1, 2), Rational(3, 2), Rational(-1, 2), Rational(7, 3)}) {
+    const auto whole = coefficients("db4", {fractional, s}, 12);
+    const auto even = coefficients("db4", {riesz, s}, 12);
+    const auto odd = coefficients("db4", {hilbert, s}, 12);
+    const Ball angle = Ball::pi() * Ball(s / Rational(2));
+    for (int l = -12; l <= 12; ++l) {
+      EXPECT_TRUE(whole[l].overlaps(cos(angle) * even[l] - sin(angle) * odd[l]))
+          << s.to_string() << " " << l;
+      EXPECT_LT(even[l].radius_double() + odd[l].radius_double(), 1e-28);
+    }
+  }
 }
 
 /// sum_{|l|<=L} r_l e^(-i l theta): what the operator multiplies e^(i theta x) by. What lies beyond
@@ -132,7 +166,9 @@ TEST(PeriodicOperator, HasTheEigenvaluesOfItsSymbol) {
         HomogeneousOperator{fractional, Rational(3, 2)},
         HomogeneousOperator{fractional, Rational(-3, 4)},
         HomogeneousOperator{fractional, Rational(-1)},
-        HomogeneousOperator{fractional, Rational(-2)}}) {
+        HomogeneousOperator{fractional, Rational(-2)}, HomogeneousOperator{riesz, Rational(1)},
+        HomogeneousOperator{riesz, Rational(-2, 3)}, HomogeneousOperator{riesz, Rational(5, 2)},
+        HomogeneousOperator{hilbert, Rational(1, 2)}}) {
     const auto r = periodic_operator_coefficients(find_filter("db6"), op, n, bits);
     ASSERT_EQ(r.size(), n);
     const double s = Ball(op.order).to_double();
@@ -141,8 +177,10 @@ TEST(PeriodicOperator, HasTheEigenvaluesOfItsSymbol) {
       for (int j = -300; j <= 300; ++j) {
         const double xi = 2 * std::numbers::pi * (j + static_cast<double>(k) / n);
         if (xi == 0) continue;
-        const std::complex<double> symbol =
-            op.kind == hilbert ? -i * std::copysign(1.0, xi) : std::pow(i * xi, s);
+        const double size = std::pow(std::abs(xi), s);
+        const std::complex<double> symbol = op.kind == hilbert ? -i * std::copysign(size, xi)
+                                            : op.kind == riesz ? size
+                                                               : std::pow(i * xi, s);
         const std::complex<double> term = std::norm(transform_of_phi(taps, xi)) * symbol;
         expected += term;
         if (std::abs(j) > 150) last_octave += term;
@@ -160,7 +198,8 @@ TEST(PeriodicOperator, IsAsAccurateAsAskedAndKillsConstants) {
   for (const int n : {1, 2, 5, 64}) {
     for (const HomogeneousOperator& op :
          {HomogeneousOperator{hilbert}, HomogeneousOperator{fractional, Rational(1, 3)},
-          HomogeneousOperator{fractional, Rational(-5, 2)}}) {
+          HomogeneousOperator{fractional, Rational(-5, 2)},
+          HomogeneousOperator{riesz, Rational(1)}}) {
       const WorkingPrecision precision(200);
       Ball sum(0);
       for (const Ball& value :
@@ -199,7 +238,11 @@ TEST(HomogeneousOperator, RefusesWhatHasNoUniqueSolution) {
                 .find("its Sobolev exponent is 1.000, but it must exceed 1.25"),
             std::string::npos);
   EXPECT_NE(refusal("db3", {fractional, Rational(17, 2)}).find("from -8 to 8"), std::string::npos);
-  EXPECT_NE(refusal("db3", {hilbert, Rational(1)}).find("must be 0"), std::string::npos);
+  EXPECT_NE(refusal("db3", {hilbert, Rational(1)}).find("must not be an odd number"),
+            std::string::npos);
+  EXPECT_NE(refusal("db3", {riesz, Rational(2)}).find("must not be an even number"),
+            std::string::npos);
+  EXPECT_NE(refusal("db3", {riesz, Rational(-1)}).find("above -1"), std::string::npos);
   EXPECT_NE(refusal("db3", {hilbert}, 200'000).find("from 0 to 100000"), std::string::npos);
   for (const int period : {0, largest_operator_period + 1}) {
     EXPECT_THROW(periodic_operator_coefficients(find_filter("db3"), {hilbert}, period, bits),
