@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <string_view>
 #include <unistd.h>
 
 #include "wavecurve/io/files/detail/unfinished.hpp"
@@ -33,12 +34,20 @@ sigset_t& ending_signals() {
   return set;
 }
 
+/// A terminal has echoed ^C into a line that may hold a status as well.
+void say_interrupted() {
+  constexpr std::string_view line = "\nwavecurve: interrupted\n";
+  const std::string_view text = line.substr(::isatty(STDERR_FILENO) != 0 ? 0 : 1);
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody is there to read it
+}
+
 void* wait_for_the_end(void*) {
   int signal = 0;
   while (::sigwait(&ending_signals(), &signal) != 0) {
   }
   io::Unfinished all;
   all.abandon();
+  if (signal == SIGINT) say_interrupted();
   die_by(signal);
 }
 

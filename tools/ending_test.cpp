@@ -88,6 +88,19 @@ TEST_F(Ending, BySignalRemovesTemporariesAndEndsChildren) {
   }
 }
 
+// In a certified computation that takes minutes.
+TEST_F(Ending, AnInterruptedComputationSaysSoInOneLine) {
+  const fs::path err = folder_ / "err";
+  const pid_t program = start(
+      "coefficients db20 --integral \"phi' phi(l) phi(m)\" --digits 1000 2>'" + err.string() + "'");
+  std::this_thread::sleep_for(500ms);
+  ::kill(program, SIGINT);
+  const int status = status_of(program);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  EXPECT_EQ(io::read_file(err), "wavecurve: interrupted\n");
+  EXPECT_EQ(entries(), 0u);
+}
+
 TEST_F(Ending, AtAnyMomentLeavesNothing) {
   for (const char* output : {"o.png", "o.svg", "o.gif"}) {
     for (const auto wait : {5ms, 20ms, 40ms, 80ms, 160ms}) {
