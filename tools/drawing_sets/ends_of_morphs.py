@@ -3,7 +3,7 @@
 
 Usage: ends_of_morphs.py PROGRAM NAME=FOLDER... [--pairs 60] [--seed 1] [--jobs 2] [--describe] [--keep FOLDER]
 
-Of every folder of SVG files, with what lies below it, a seeded sample of pairs of files is morphed; both
+A seeded sample of pairs of files is morphed from every folder of SVG files, with what lies below it; both
 files of a pair lie in the same folder. The first and the last frame are compared with what rsvg-convert
 makes of the files, as intersection over union. Exit codes: 0 where that is at least 0.99 for every pair
 that the program did not warn of (and, with --describe, every file is described), 1 where not, 2 bad usage,
