@@ -1,4 +1,4 @@
-// Every reader is bounded, and what is computed of one's own input ends within seconds or is refused:
+// Every reader is bounded, and what is computed from a user's own input ends within seconds or is refused:
 // each command runs with 4 GiB of address space and 30 seconds of the processor, several times what
 // it takes.
 #include <algorithm>

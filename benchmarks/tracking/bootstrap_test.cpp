@@ -132,7 +132,7 @@ TEST(Alarm, IsSilentWhereNothingChanged) {
 
 TEST(Alarm, FindsWhatMatters) {
   // 1.20 is 0.18 from 1 in logarithms, 0.13 from the threshold; ten standard errors of normal
-  // noise. Of blocks with bursts nearly half have one; the interval reaches 1 in one of twelve
+  // noise. Nearly half of the blocks with bursts have one; the interval reaches 1 in one of twelve
   // measurements, so two of them agree in 0.92^2 = 0.84; three deviations of 1000 trials are 0.035.
   EXPECT_GE(share_of_alarms(1.20, normal), 0.99);
   EXPECT_GE(share_of_alarms(1.20, exponential), 0.99);

@@ -1,5 +1,5 @@
-// One's own filter from a JSON file, checked for what it claims: own_filter FILE.json. Its decimals
-// are intervals, so every result says how many digits they are worth. Of own_filter.json beside
+// Your own filter from a JSON file, checked for what it claims: own_filter FILE.json. Its decimals
+// are intervals, so every result says how many digits they are worth. From own_filter.json beside
 // this file it prints:
 //   mine: 6 taps, 3 vanishing moments
 //   mu_0 = 5.2678571428571428571 +- 5e-20

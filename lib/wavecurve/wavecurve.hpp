@@ -2,7 +2,7 @@
 
 // Everything of the link target wavecurve::wavecurve: numerics in double and float.
 //
-//   filters/     filter banks by name or from one's own taps: find_filter_bank, FilterBank
+//   filters/     filter banks by name or from a user's own taps: find_filter_bank, FilterBank
 //   elementary/  sine, cosine, exponential and others with the same bits on every processor
 //   transform/   the periodic wavelet transform, in place, of many columns; the Fourier transform
 //   operators/   connection coefficients; stiffness, mass and damping matrices; their spectra

@@ -379,8 +379,8 @@ void add_morph_command(CLI::App& app, ExitCode& exit_code) {
   options->output.sheet()->excludes(loop, duration);
   command
       ->add_flag("--paths", options->paths,
-                 "Write the paths of both ends (.json), with equal commands, for CSS or a tween of "
-                 "one's own")
+                 "Write the paths of both ends (.json), with equal commands, for CSS or your own "
+                 "tweening")
       ->excludes(loop, duration, options->output.sheet(), "--frames", "--fps", "--size",
                  "--background");
   command->callback([options, &exit_code] { run_morph(*options, exit_code); });

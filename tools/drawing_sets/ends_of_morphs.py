@@ -58,7 +58,7 @@ def pixels_of(png, width, height):
 
 def overlap(a, b):
     """Intersection over union of what two pictures paint: 1 minus the sum of the differences over that of
-    the larger opacities. Of pictures in one colour that is the sum of the smaller over the larger ones."""
+    the larger opacities. For pictures in one colour that is the sum of the smaller over the larger ones."""
     different = union = 0
     for i in range(0, len(a), 4):
         if a[i + 3] == 0 and b[i + 3] == 0:

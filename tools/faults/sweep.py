@@ -280,8 +280,8 @@ def without_seconds(text):
 
 
 def contents(folder, command):
-    """{path: bytes, or where a link leads}; a folder is known by its files. Of what is timed, the numbers but the
-    seconds, and whether the other files have their ends; and not the journal, which only grows."""
+    """{path: bytes, or where a link leads}; a folder is known by its files. What is timed counts by its numbers but
+    the seconds, and by whether the other files have their ends; the journal, which only grows, does not count."""
     found = raw_contents(folder)
     if not command.is_timed:
         return found

@@ -2,8 +2,8 @@
 """Refuses memory to every command of the program, one request at a time, and tells how it ends.
 
 usage: tools/faults/try_allocations.py PROGRAM LIBRARY [--runs N] [--seed S] [--json FILE] [--processes P] [--only COMMAND]
-PROGRAM is wavecurve, LIBRARY the built tools/faults/fail_allocation.cpp. Of the requests for memory that
-each command makes, N (40) are refused, one a run, chosen at random from the seed (1), but always the
+PROGRAM is wavecurve, LIBRARY the built tools/faults/fail_allocation.cpp. N (40) of the requests for memory that
+each command makes are refused, one a run, chosen at random from the seed (1), but always the
 first and the last ones; in every other run all requests after it are refused, too. A run ends well if it
 does what it does with memory (exit code, output and files alike), or says in one line that memory is lacking,
 with exit code 3, no file written. glibc itself ends a program that has no memory for the variables of a thread, with

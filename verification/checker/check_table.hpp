@@ -83,7 +83,7 @@ struct CheckedTable {
 /// certified         the print is the true value correctly rounded to the print's own last digit,
 ///                   and has as many decimals as its column (print_form.hpp: the habit of its
 ///                   notation). A bare 0 is certified if the value is exactly zero, a fraction if
-///                   it is the value. Of an exact tie either neighbour is. "-0.000" is if the value
+///                   it is the value. Either neighbour of an exact tie is. "-0.000" is if the value
 ///                   is proved negative.
 /// form              correctly rounded as well, but printed with other decimals than its column; or
 ///                   equal as a number to the rounding at the column's decimals

@@ -46,8 +46,8 @@ std::vector<PrintedNumber> intended_prints(const TrueValue& value, const Printed
 
 /// How many leading significant digits of the print are right: the largest k for which the print is
 /// less than one unit of the value's k-th significant digit away, so that digits which agree as
-/// text always count, and 0.3999 has three right digits of 0.4001; 0 if the value is zero. Of a
-/// fraction as many digits may be right as it has above and below its line.
+/// text always count, and 0.3999 has three right digits of 0.4001; 0 if the value is zero. A
+/// fraction may have as many right digits as stand above and below its line.
 int correct_digits(const TrueValue& value, const PrintedNumber& print);
 
 /// |print - value| in units of the print's last digit; not a number for a fraction, which has none.

@@ -16,7 +16,7 @@ Eigen::VectorXd displacement_errors(const dynamics::InitialValueProblem& problem
                                     const dynamics::Trajectory& exact);
 
 /// The largest distance between two sample points, relative to the largest initial displacement of
-/// a sample point. Of plane curves only.
+/// a sample point. For plane curves only.
 Eigen::VectorXd maximum_errors(const dynamics::InitialValueProblem& problem,
                                const dynamics::Trajectory& solution,
                                const dynamics::Trajectory& exact);

@@ -84,7 +84,7 @@ TEST_F(StudyScale, AMillionPointsNeedLittleBesideTheSolving) {
 #endif
   constexpr double most_microseconds = 20;
   const std::size_t of_a_setting = points_of(plan_of(1)).size();
-  // What else the machine does only adds: the least of up to three studies counts.
+  // What else the machine does only adds: the minimum of up to three studies counts.
   double microseconds = std::numeric_limits<double>::infinity();
   for (int attempt = 0; attempt < 3 && microseconds > most_microseconds; ++attempt) {
     fs::remove(folder_ / "points");

@@ -32,7 +32,7 @@ class FilterBank(_native.NativeFilterBank):
     ----------
     name_or_path : str or os.PathLike
         A name, of this library (``"db4"``, ``"coif2"``, ``"bspline4.4"``, ``"cdf9.7"``), of PyWavelets, MATLAB or R
-        (``"D8"``, ``"bior4.4"``, ``"la8"``), or the path of a JSON file of one's own taps.
+        (``"D8"``, ``"bior4.4"``, ``"la8"``), or the path of a JSON file with your own taps.
 
     Raises
     ------
@@ -70,7 +70,7 @@ class FilterBank(_native.NativeFilterBank):
         dual_vanishing_moments: int | None = None,
         accuracy: Tap | None = None,
     ) -> "FilterBank":
-        """The bank of one's own low-pass taps, after a check of what they claim.
+        """The bank of your own low-pass taps, after a check of what they claim.
 
         Parameters
         ----------

@@ -43,8 +43,8 @@ void check_sizes(In from, In to) {
                   from.rows(), to.rows()));
 }
 
-/// The first of the shifts whose correlation is the largest but for rounding. Of norm 1, as the
-/// contours are, an FFT of length N errs by at most a few log2 N units of rounding, and a sum of N
+/// The first of the shifts whose correlation is the largest but for rounding. For contours of
+/// norm 1, as these are, an FFT of length N errs by at most a few log2 N units of rounding, and a sum of N
 /// products by N.
 Index first_best(const VectorXcd& correlation, Rotation rotation) {
   const double rounding =

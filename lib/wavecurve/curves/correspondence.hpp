@@ -17,8 +17,8 @@ enum class Rotation {
 ///   sum_i |z_i - c w_{i+s}|^2,
 /// where c > 0 takes out the scale, or c = r e^{i angle} the rotation too. The best c for a shift
 /// follows from the circular correlation C_s = sum_i conj(z_i) w_{i+s}, and the best shift is that
-/// of the largest Re C_s, or |C_s|; a factor of scale does not change it. Of shifts that are equal
-/// but for rounding (symmetric shapes), the smallest. O(N log N) by FFT.
+/// of the largest Re C_s, or |C_s|; a factor of scale does not change it. Where several are equal
+/// but for rounding (symmetric shapes) it is the smallest. O(N log N) by FFT.
 /// Throws std::invalid_argument unless both have the same number of points, at least one.
 Eigen::Index best_shift(const Eigen::Ref<const Contour>& from, const Eigen::Ref<const Contour>& to,
                         Rotation rotation = Rotation::kept);

@@ -13,7 +13,7 @@ namespace wavecurve::dynamics {
 using Solver = std::function<Trajectory(const InitialValueProblem&)>;
 
 /// How exact a solver shall be, by the name of the number: make({.tolerance = 1e-8}) or
-/// make({.step = 0.01}). Of both, a solver takes the one that its kind has (see AccuracyKind).
+/// make({.step = 0.01}). A solver takes the one of the two that its kind has (see AccuracyKind).
 struct Accuracy {
   std::optional<double> tolerance = std::nullopt;  ///< of the estimated error of a step, relative
   std::optional<double> step = std::nullopt;       ///< the step size, a time

@@ -8,8 +8,8 @@ namespace wavecurve {
 
 /// e^x within one unit in the last place of the true value (the bound that is proved is smaller:
 /// elementary/detail/elementary_tables.hpp), and the same bits on every processor, which the C
-/// library does not promise. Of any double: infinity beyond 709.78, 0 below -745.13, rounded once
-/// more where the result is subnormal; of what is no number, no number.
+/// library does not promise. Every double is taken: the result is infinity beyond 709.78, 0 below -745.13,
+/// rounded once more where it is subnormal, and NaN for NaN.
 double exponential(double x);
 
 /// e^x - 1, within 1.6 units in the last place, also where x is small.

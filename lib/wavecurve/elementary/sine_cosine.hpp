@@ -11,9 +11,8 @@ struct SineCosine {
 
 /// Both, each within one unit in the last place of the true value (the bounds that are proved are
 /// smaller: elementary/detail/elementary_tables.hpp), and the same bits on every processor, which
-/// the C library does not promise. Of any double: angles beyond 2^20 are reduced in whole numbers,
-/// by Payne and Hanek (1983). Of infinities and of what is no number, no number; the sine of -0
-/// is -0.
+/// the C library does not promise. Every double is taken: angles beyond 2^20 are reduced in whole
+/// numbers, by Payne and Hanek (1983). Infinities and NaN give NaN; the sine of -0 is -0.
 SineCosine sine_cosine(double x);
 double sine(double x);
 double cosine(double x);

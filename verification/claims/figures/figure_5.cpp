@@ -86,7 +86,8 @@ motion::Animation side_by_side(const std::vector<motion::Animation>& animations)
 
 /// How a motion goes, of all contours of the drawing.
 struct Course {
-  double swing = 0;  ///< how far the displacement swings over, but for means, as a share of itself
+  double overshoot =
+      0;             ///< how far the displacement overshoots, but for means, as a share of itself
   double speed = 0;  ///< the largest of a point, in widths of the drawing per duration
   double left = 0;   ///< the largest distance at the end, in widths
 };
@@ -128,7 +129,7 @@ Course course(const motion::Animation& animation, const motion::Animation& desti
   Course result;
   for (std::size_t key = 1; key < measured_frames; ++key) {
     auto now = displacements(animation, key, destination);
-    result.swing = std::max(result.swing, -product(now, start) / product(start, start));
+    result.overshoot = std::max(result.overshoot, -product(now, start) / product(start, start));
     const double speed = largest_distance(now, last) * (measured_frames - 1) / width;
     result.speed = std::max(result.speed, speed);
     last = std::move(now);
@@ -145,7 +146,7 @@ std::vector<std::string> row(const std::string& name, const std::vector<std::str
                              const Course& how) {
   std::vector<std::string> cells{name};
   cells.insert(cells.end(), constants.begin(), constants.end());
-  for (const double value : {how.swing, how.speed, how.left}) cells.push_back(digits(value));
+  for (const double value : {how.overshoot, how.speed, how.left}) cells.push_back(digits(value));
   return cells;
 }
 
@@ -158,13 +159,13 @@ Outcome evaluate() {
       "Swing-over of the shapes as a share of the displacement; the largest speed of a point in "
       "widths of the drawing per duration; the largest distance left at the end in "
       "widths; settling times in units of the time of the motion",
-      {"motion", "e_0", "rho", "s_2", "settles by", "swing-over", "speed", "left"},
+      {"motion", "e_0", "rho", "s_2", "settles by", "overshoot", "speed", "left"},
       {row("linear", {"-", "-", "-", "-"}, course(straight, straight))}};
   std::vector<motion::Animation> shown{linear(morph, shown_frames)};
-  double swing = 0;
+  double overshoot = 0;
   for (const auto& [name, material] : motions) {
     const Course how = course(physical(morph, material, measured_frames), straight);
-    swing = std::max(swing, how.swing);
+    overshoot = std::max(overshoot, how.overshoot);
     picture.data.rows.push_back(
         row(name,
             {digits(material.stiffness), digits(material.density),
@@ -182,9 +183,9 @@ Outcome evaluate() {
   options.tolerance = all.view_box.width / 1024;
   picture.svg = io::animation_sheet(all, options);
   return {ClaimVerdict::stand_in,
-          {"linear and {} physical motions; the largest swing-over is {} of the way",
+          {"linear and {} physical motions; the largest overshoot is {} of the way",
            {counted("physical motions", std::ssize(motions)),
-            to_digits("largest swing-over as a share of the way", swing, 3)}},
+            to_digits("largest overshoot as a share of the way", overshoot, 3)}},
           "The publication's drawings and parameters are lost; faces of our own move linearly and "
           "as elastic curves with other constitutive, mass and damping parameters.",
           {picture}};

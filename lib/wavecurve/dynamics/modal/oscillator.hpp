@@ -45,7 +45,7 @@ struct HarmonicResponse {
 HarmonicResponse harmonic_response(const Oscillator& oscillator, double omega, double t);
 
 /// What forces growing within a step h add to q and q' at its end: of the unit force, of s, and of
-/// s^2 / 2, s = t / h from 0 to 1, in this order. Of a massless oscillator only q is given, v is 0.
+/// s^2 / 2, s = t / h from 0 to 1, in this order. For a massless oscillator only q is given, v is 0.
 struct RampResponse {
   std::array<double, 3> q = {}, v = {};
 };

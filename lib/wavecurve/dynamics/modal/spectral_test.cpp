@@ -67,7 +67,7 @@ RC_GTEST_PROP(Spectral, IsTheMatrixExponential, ()) {
   const Trajectory exact = plain::solve_matrix_exponential<long double>(problem);
   const Trajectory spectral = solve_spectral(problem);
   // The entries of M, C, K that the twin starts from are rounded, and the solution moves by that
-  // times the number of radians of the fastest oscillation. Of biorthogonal bases, both the
+  // times the number of radians of the fastest oscillation. For biorthogonal bases both the
   // condition of the basis, at most 2^8 here, and the residual of the Gram matrix enter.
   const CirculantEigenvalues symbols = problem.system.eigenvalues();
   const double fastest = std::sqrt((symbols.stiffness.array() / symbols.mass.array()).maxCoeff());

@@ -29,8 +29,8 @@ struct Character {
 Character take_character(std::string_view& text);
 
 /// The text as it may stand within a line of any output: each control character, and each byte that is
-/// no UTF-8, becomes U+FFFD. Of a text of more than `most` characters the first
-/// ones, and "...".
+/// no UTF-8, becomes U+FFFD. A text of more than `most` characters is cut to the
+/// first ones and "...".
 std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
 
 }  // namespace wavecurve

@@ -7,7 +7,7 @@
 
 namespace wavecurve::io {
 
-/// An SVG that moves by itself (SMIL): one path a layer, whose data, colours, opacities and stroke
+/// A self-animating SVG (SMIL): one path a layer, whose data, colours, opacities and stroke
 /// width are animated between the animation's own keys, which is exact, for they are linear in
 /// between. Browsers play it, also as an image; others show the first frame.
 /// Throws as check_animation does.

@@ -33,8 +33,8 @@ struct PointOptions {
 /// is filled and stroked becomes two layers, the second with `-stroke` added to the id. Gradients
 /// become their mean colour. Text, images, filters, masks, clipping, markers, patterns, animations
 /// and dashes are not supported. A shape without length is
-/// skipped with a warning. Subpaths that end where they start count as closed. Of an element that is broken
-/// what comes before the defect is drawn, with a warning that names its line; the others are.
+/// skipped with a warning. Subpaths that end where they start count as closed. What comes before
+/// the defect of a broken element is drawn, with a warning that names its line; so are the others.
 ///
 /// `.csv`: points of closed contours, a line each, by the names of their columns (point_columns):
 /// x and y; of contours, which are told apart; of the points, which are counted. Cells are separated

@@ -37,8 +37,8 @@ struct TrackOptions {
 /// names (hip, knee, hock, toe) or else in the order of the columns. Points that are missing or whose
 /// likelihood is below the bound are interpolated linearly in time, and at the ends are the nearest.
 ///
-/// SVG frames hold a layer a limb, whose id is its name, and are times 0, 1, ... Of a layer with
-/// several subpaths the largest is the outline.
+/// SVG frames hold a layer a limb, whose id is its name, and are times 0, 1, ... Where a layer
+/// has several subpaths, the largest is the outline.
 ///
 /// What comes out is in the frame of the body (take_out_travel, for joints without x_treadmill), y
 /// points down (y_points_up detects it), and outlines are clockwise as seen. Where the number of

@@ -14,7 +14,7 @@ namespace wavecurve::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Index = Eigen::Index;
 
-/// `at_once` vectors of outputs. Of a number of weights known to the compiler (0: not known), the
+/// `at_once` vectors of outputs. Where the compiler knows the number of weights (0: it does not), the
 /// loops are unrolled, and a vector of inputs is loaded once for all weights that need it: 24 loads
 /// instead of 52 for seven weights and four vectors.
 template <int known, int at_once, class D>

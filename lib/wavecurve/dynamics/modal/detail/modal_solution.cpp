@@ -28,7 +28,7 @@ bool is_equally_spaced(const Eigen::VectorXd& times) {
   return true;
 }
 
-/// The states at the problem's times, for the start and a constant force. Of equally spaced times
+/// The states at the problem's times, for the start and a constant force. For equally spaced times
 /// j dt, j = large b + small with b about the root of their number, only the propagators over dt
 /// and over b dt are computed from the closed form, the others are their powers.
 class ModalFlow {

@@ -30,7 +30,7 @@ class SystemOperator {
   long long operations_ = 0;
 };
 
-/// G^-1 K, matrix-free. Of an orthonormal bank that is K, in O(samples); of a biorthogonal one
+/// G^-1 K, matrix-free. For an orthonormal bank that is K, in O(samples); for a biorthogonal one
 /// S^-1 T_G^-1 T_K S, where the Fourier transform divides the circulants, in O(samples log
 /// samples).
 class ReducedStiffness {
