@@ -156,7 +156,7 @@ Chart floors_chart(const std::vector<StudyPoint>& points) {
                               small_error, 100 * small_error));
   chart.script = fmt::format(
       "{}set logscale y\nset format y \"10^{{%T}}\"\nset ylabel \"largest error relative to the "
-      "initial displacement\"\nset xtics rotate by -25 noenhanced font \",12\"\nset yrange [*:10]\nset "
+      "initial displacement\"\nset xtics rotate by -25 noenhanced\nset yrange [*:10]\nset "
       "xrange [-0.5:{}]\nplot {}",
       more_lines, static_cast<double>(settings.size()) - 0.5, joined(plots));
   return chart;
@@ -223,7 +223,7 @@ Chart work_precision_chart(const std::vector<StudyPoint>& points, const StudySet
   chart.script = fmt::format(
       "{}set logscale xy\nset format xy \"10^{{%T}}\"\nset xlabel \"operations\"\n"
       "set ylabel \"largest error relative to the initial displacement\"\nset yrange [*:10]\n"
-      "set key outside right top vertical font \",12\"\n{}plot {}",
+      "{}plot {}",
       more_lines, labels, joined(plots));
   return chart;
 }

@@ -14,6 +14,7 @@
 #include "wavecurve/certified/filter_definition.hpp"
 #include "wavecurve/certified/find_filter.hpp"
 #include "wavecurve/certified/flint.hpp"
+#include "wavecurve/certified/integrals/exact_integrals.hpp"
 #include "wavecurve/certified/integrals/homogeneous_operator.hpp"
 #include "wavecurve/certified/integrals/integral_decimals.hpp"
 #include "wavecurve/certified/integrals/product_integrals.hpp"

@@ -5,7 +5,7 @@
 //   filters/     filter banks by name or from a user's own taps: find_filter_bank, FilterBank
 //   elementary/  sine, cosine, exponential and others with the same bits on every processor
 //   transform/   the periodic wavelet transform, in place, of many columns; the Fourier transform
-//   operators/   connection coefficients; stiffness, mass and damping matrices; their spectra
+//   operators/   connection coefficients; stiffness, mass, damping and differentiation matrices; their spectra
 //   curves/      contours and drawings, sampling, wavelet coefficients, descriptors, crossings
 //   dynamics/    the motion of an elastic curve and its solvers; Schulz's inverse
 //   motion/      animations; morph/: of one drawing into another; gait/: from traced limbs
@@ -84,6 +84,7 @@
 #include "wavecurve/motion/there_and_back.hpp"
 #include "wavecurve/operators/circulant.hpp"
 #include "wavecurve/operators/connection_coefficients.hpp"
+#include "wavecurve/operators/differentiation.hpp"
 #include "wavecurve/operators/matrix_measures.hpp"
 #include "wavecurve/operators/multiscale_matrix.hpp"
 #include "wavecurve/operators/multiscale_operator.hpp"

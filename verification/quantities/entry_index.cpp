@@ -131,7 +131,7 @@ EntryIndex parse_entry_index(std::string_view text) {
     const auto value = values.empty() ? parse_point(part) : parse_integer(part);
     if (!value) {
       refuse_index(text, parts.size() > 1
-                             ? "is not two or three integers (the first may be a dyadic point)"
+                             ? "is not a pair nor a triple of integers (the first may be a dyadic point)"
                              : "is not an integer nor a dyadic point such as 1/2");
     }
     if (std::abs(*value) > largest_index) {
