@@ -68,11 +68,13 @@ VectorXd collocation_differentiation(const FilterBank<double>& bank, Index sampl
 
 Eigen::SparseMatrix<double> circulant_matrix(const Eigen::Ref<const VectorXd>& column) {
   const Index n = column.size();
+  std::vector<Index> offsets;  // of a long column few are not zero
+  for (Index r = 0; r < n; ++r) {
+    if (column[r] != 0) offsets.push_back(r);
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (Index j = 0; j < n; ++j) {
-    for (Index r = 0; r < n; ++r) {
-      if (column[r] != 0) entries.emplace_back((j + r) % n, j, column[r]);
-    }
+    for (const Index r : offsets) entries.emplace_back((j + r) % n, j, column[r]);
   }
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());

@@ -94,7 +94,14 @@ TEST(Differentiation, CollocationOfCubicSplinesIsTheSplinesSlope) {
   EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1000 * epsilon * samples);
 }
 
-TEST(Differentiation, OfOrderZeroIsTheIdentity) {
+// Time and memory go with the entries, not with the square of the samples.
+TEST(Differentiation, WithManySamplesTheCirculantIsSparse) {
+  constexpr Index samples = 1 << 18;
+  const VectorXd column = galerkin_differentiation(find_filter_bank("db4"), samples, 1);
+  EXPECT_EQ(circulant_matrix(column).nonZeros(), samples * (column.array() != 0).count());
+}
+
+TEST(Differentiation, AtOrderZeroBothAreTheIdentity) {
   const FilterBank<double> bank = find_filter_bank("db4");
   for (const Index samples : {1, 2, 9}) {
     const VectorXd unit = VectorXd::Unit(samples, 0);

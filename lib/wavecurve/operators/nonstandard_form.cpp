@@ -83,9 +83,9 @@ Eigen::SparseMatrix<double> nonstandard_matrix(const NonstandardForm& form, Eige
     const double scale = std::pow(static_cast<double>(n), form.derivative);
     const auto add = [&](const Filter<double>& block, Eigen::Index row, Eigen::Index column) {
       const Eigen::VectorXd values = scale * plain::periodized(block, n);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index k = 0; k < n; ++k) {
-          if (values[k] != 0) entries.emplace_back(row + i, column + (i + k) % n, values[k]);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        for (Eigen::Index i = 0; i < n && values[k] != 0; ++i) {
+          entries.emplace_back(row + i, column + (i + k) % n, values[k]);
         }
       }
     };
