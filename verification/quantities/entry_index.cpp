@@ -130,9 +130,10 @@ EntryIndex parse_entry_index(std::string_view text) {
   for (const std::string_view part : parts) {
     const auto value = values.empty() ? parse_point(part) : parse_integer(part);
     if (!value) {
-      refuse_index(text, parts.size() > 1
-                             ? "is not a pair nor a triple of integers (the first may be a dyadic point)"
-                             : "is not an integer nor a dyadic point such as 1/2");
+      refuse_index(text,
+                   parts.size() > 1
+                       ? "is not a pair nor a triple of integers (the first may be a dyadic point)"
+                       : "is not an integer nor a dyadic point such as 1/2");
     }
     if (std::abs(*value) > largest_index) {
       refuse_index(text,

@@ -1,7 +1,7 @@
 #include "tools/commands/coefficients/quantity_output.hpp"
 
+#include <algorithm>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,20 +46,13 @@ std::vector<ListedNumber> quantity_entries(FilterValues& values, const Quantity&
 Quantity integral_up_to_x(const std::string& integral) {
   // On an interval any factor may have a letter, or none.
   const ProductIntegral parsed = parse_integral(integral, DyadicInterval{});
-  std::string text;
-  for (const IntegralFactor& factor : parsed.factors) {
-    if (parsed.power > 0 || factor.level > 0) {
-      throw std::invalid_argument(
-          must_be("the integral", integral, "one of phi and psi at x or x - l, for --on 0,x"));
-    }
+  const bool has_levels = std::ranges::any_of(
+      parsed.factors, [](const IntegralFactor& factor) { return factor.level > 0; });
+  if (parsed.power > 0 || has_levels) {
+    throw std::invalid_argument(
+        must_be("the integral", integral, "one of phi and psi at x or x - l, for --on 0,x"));
   }
-  constexpr std::string_view letters = "lmn";
-  std::size_t next = 0;
-  for (const IntegralFactor& factor : parsed.factors) {
-    text += (text.empty() ? "" : ", ") + name_of(factor.function);
-    if (factor.shifted) text += fmt::format("({})", letters[next++]);
-  }
-  return parse_quantity("int(" + text + ") on [0,x]");
+  return parse_quantity("int(" + to_string(parsed) + ") on [0,x]");
 }
 
 std::string up_to_x_output(const std::string& filter, const std::string& integral,
